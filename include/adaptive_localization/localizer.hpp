@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/confidence.hpp"
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/filter_registry.hpp"
+
+namespace adaptive_localization {
+
+/// What is known of the robot's place, in a word.
+enum class Status { kUninitialised, kGlobalizing, kTracking, kAmbiguous, kLost };
+std::string toText(Status status);
+
+struct LocalizerOptions {
+  std::string filter{"amcl"};
+  std::string preset{"recommended"};
+  std::string plugins;  // paths, separated by colons
+  int seed{1};
+  int threads{1};
+  double update_min_d{0.1};
+  double update_min_a{0.1};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("filter", filter, Choices{}, "Filter core, by name.");
+    option("preset", preset, Choices{"recommended", "seed"},
+           "Values of options that are not given: what we recommend, or the literature's.");
+    option("plugins", plugins, Choices{},
+           "Shared libraries with filter cores of your own, separated by colons.");
+    option("seed", seed, kNotNegative, "", "Seed of all randomness.");
+    option("threads", threads, Range{1, 256}, "", "Threads used by one update.");
+    option("update_min_d", update_min_d, kNotNegative, "m",
+           "Distance to travel before the filter is updated.");
+    option("update_min_a", update_min_a, kNotNegative, "rad",
+           "Angle to turn before the filter is updated.");
+  }
+};
+
+/// What the localizer answers to a scan.
+struct Localization {
+  Pose2 T_map_odom;       // the correction of odometry; valid for scans to come
+  Pose2 T_map_base;       // at this scan
+  Estimate estimate;      // of the last update; modes and covariance
+  bool updated{false};    // this scan went through the filter
+  double confidence{0.0};  // in [0, 1]
+  Status status{Status::kUninitialised};
+};
+
+/// Drives a filter: motion gate, filter, confidence, status. The node, the replayer and the tests
+/// all call this. No ROS, no clock.
+class Localizer {
+ public:
+  /// Throws std::invalid_argument naming key, value and range when a parameter is wrong or when the
+  /// map has no free cell. The belief is empty until reset().
+  Localizer(Parameters parameters, std::shared_ptr<const OccupancyGrid> map);
+
+  /// Starts anew from a prior; the next scan updates the filter whether the robot moved or not.
+  void reset(const Prior& prior);
+
+  /// The next scan updates the filter whether the robot moved or not.
+  void requestUpdate() { update_requested_ = true; }
+
+  /// A new map in the same frame; keeps the belief's best Gaussian.
+  void setMap(std::shared_ptr<const OccupancyGrid> map);
+
+  /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
+  Localization update(const Pose2& T_odom_base, const Observations& observations);
+
+  /// The belief as a cloud; empty before reset().
+  const Particles& hypotheses() const { return filter_->hypotheses(); }
+
+  const ScanOptions& scanOptions() const { return scan_options_; }
+  const LocalizerOptions& options() const { return options_; }
+
+  /// Keys that neither the localizer nor the filter knows.
+  std::vector<std::string> unknownKeys() const;
+
+  /// All options in effect, given or default.
+  const std::vector<OptionDescription>& effectiveOptions() const { return effective_; }
+
+ private:
+  void makeFilter();
+  bool gateOpens(const Pose2& motion) const;
+
+  Parameters parameters_;
+  LocalizerOptions options_;
+  ScanOptions scan_options_;
+  FilterRegistry registry_;
+  FilterContext context_;
+  std::unique_ptr<Filter> filter_;
+  Confidence confidence_;
+  std::vector<OptionDescription> effective_;
+
+  bool initialised_{false};
+  bool update_requested_{false};
+  std::optional<Pose2> T_odom_base_at_update_;
+  Localization last_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+
+namespace adaptive_localization {
+
+/// Euclidean distance from each cell's centre to the centre of the nearest occupied cell, exact
+/// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Two bytes per cell: steps of
+/// 1/64 cell, saturating at 1023 cells; a map without obstacles is saturated everywhere.
+class DistanceField {
+ public:
+  explicit DistanceField(const OccupancyGrid& grid);
+
+  const Lattice& lattice() const { return lattice_; }
+
+  /// Metres; the saturation distance outside the map.
+  double at(const Cell& cell) const {
+    return step_ * (lattice_.contains(cell) ? steps_[lattice_.index(cell)] : kFar);
+  }
+  double at(const Eigen::Vector2d& point_map) const { return at(lattice_.cellAt(point_map)); }
+
+  /// The stored steps, row-major, and how many metres one is.
+  const std::vector<std::uint16_t>& steps() const { return steps_; }
+  double metresPerStep() const { return step_; }
+
+ private:
+  static constexpr int kStepsPerCell = 64;
+  static constexpr std::uint16_t kFar = 65535;
+
+  Lattice lattice_;
+  double step_;
+  std::vector<std::uint16_t> steps_;
+};
+
+}  // namespace adaptive_localization

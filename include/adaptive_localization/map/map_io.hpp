@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+
+namespace adaptive_localization {
+
+/// Reads a map as map_server does: a YAML file (image, resolution, origin, negate, occupied_thresh,
+/// free_thresh, optional mode: trinary, scale or raw) and the image it names, relative to the YAML.
+/// Throws std::invalid_argument naming the file, the key, the value and what was expected.
+OccupancyGrid loadMap(const std::string& yaml_file);
+
+/// Writes <base>.pgm and <base>.yaml as map_saver does (254 free, 0 occupied, 205 unknown).
+/// Throws std::runtime_error naming the file that could not be written.
+void saveMap(const OccupancyGrid& grid, const std::string& base);
+
+}  // namespace adaptive_localization

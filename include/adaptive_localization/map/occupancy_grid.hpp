@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adaptive_localization/map/lattice.hpp"
+
+namespace adaptive_localization {
+
+/// An occupancy grid with nav_msgs/OccupancyGrid's values: 0 to 100 in per cent, -1 unknown.
+/// Cells of at least 65 are occupied and known ones below 20 free, map_server's thresholds, so that
+/// grids with graded values (Cartographer's, map_server's scale mode) work too.
+class OccupancyGrid {
+ public:
+  static constexpr std::int8_t kFree = 0;
+  static constexpr std::int8_t kOccupied = 100;
+  static constexpr std::int8_t kUnknown = -1;
+
+  /// Row-major cells, row 0 at the origin. Throws std::invalid_argument when their number is not
+  /// the lattice's.
+  OccupancyGrid(const Lattice& lattice, std::vector<std::int8_t> cells);
+
+  const Lattice& lattice() const { return lattice_; }
+  const std::vector<std::int8_t>& cells() const { return cells_; }
+
+  bool isOccupied(const Cell& cell) const { return at(cell) >= 65; }
+  bool isFree(const Cell& cell) const { return at(cell) >= 0 && at(cell) < 20; }
+  std::size_t countFree() const;
+
+ private:
+  /// Cells outside are unknown.
+  std::int8_t at(const Cell& cell) const {
+    return lattice_.contains(cell) ? cells_[lattice_.index(cell)] : kUnknown;
+  }
+
+  Lattice lattice_;
+  std::vector<std::int8_t> cells_;
+};
+
+}  // namespace adaptive_localization

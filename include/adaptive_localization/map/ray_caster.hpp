@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+
+namespace adaptive_localization {
+
+/// Expected ranges by exact traversal of the grid (Amanatides and Woo, Eurographics 1987): every
+/// cell that the ray crosses is looked at once, so no corner is missed.
+class RayCaster {
+ public:
+  explicit RayCaster(std::shared_ptr<const OccupancyGrid> grid) : grid_(std::move(grid)) {}
+
+  /// Metres from the ray's start (map frame, theta its direction) to the near side of the first
+  /// occupied cell; 0 if it starts in one; max_range if there is none before. Unknown cells and
+  /// everything outside the map are transparent.
+  double range(const Pose2& T_map_ray, double max_range) const;
+
+ private:
+  std::shared_ptr<const OccupancyGrid> grid_;
+};
+
+}  // namespace adaptive_localization

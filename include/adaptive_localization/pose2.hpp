@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace adaptive_localization {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The representative of an angle in (-pi, pi]. Every difference of headings goes through it.
+inline double wrapAngle(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * kPi);
+  return wrapped <= -kPi ? kPi : wrapped;
+}
+
+/// A pose in the plane, SE(2): x, y in metres, theta in radians, counter-clockwise positive.
+/// `T_a_b` names the pose of frame b in frame a; it takes coordinates in b to coordinates in a.
+struct Pose2 {
+  double x{0.0};
+  double y{0.0};
+  double theta{0.0};
+};
+
+/// Composition: T_a_c = T_a_b * T_b_c.
+inline Pose2 operator*(const Pose2& a, const Pose2& b) {
+  const double c = std::cos(a.theta);
+  const double s = std::sin(a.theta);
+  return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, wrapAngle(a.theta + b.theta)};
+}
+
+/// T_a_b * point_b = point_a.
+inline Eigen::Vector2d operator*(const Pose2& a, const Eigen::Vector2d& point) {
+  const double c = std::cos(a.theta);
+  const double s = std::sin(a.theta);
+  return {a.x + c * point.x() - s * point.y(), a.y + s * point.x() + c * point.y()};
+}
+
+/// T_b_a from T_a_b.
+inline Pose2 inverse(const Pose2& a) {
+  const double c = std::cos(a.theta);
+  const double s = std::sin(a.theta);
+  return {-c * a.x - s * a.y, s * a.x - c * a.y, wrapAngle(-a.theta)};
+}
+
+/// T_b_c from T_a_b and T_a_c: where c is as seen from b.
+inline Pose2 between(const Pose2& T_a_b, const Pose2& T_a_c) { return inverse(T_a_b) * T_a_c; }
+
+/// Euclidean distance of the two positions, metres.
+inline double distance(const Pose2& a, const Pose2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+inline bool isFinite(const Pose2& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.theta);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/distance_field.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace adaptive_localization {
+
+DistanceField::DistanceField(const OccupancyGrid& grid)
+    : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell) {
+  steps_.assign(lattice_.size(), kFar);
+  cv::Mat obstacles(lattice_.height(), lattice_.width(), CV_8U);
+  bool any = false;
+  for (std::size_t i = 0; i < lattice_.size(); ++i) {
+    const bool occupied = grid.isOccupied(lattice_.cell(i));
+    obstacles.data[i] = occupied ? 0 : 255;
+    any = any || occupied;
+  }
+  if (!any) return;
+  cv::Mat cells;
+  cv::distanceTransform(obstacles, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  cv::Mat steps(lattice_.height(), lattice_.width(), CV_16U, steps_.data());
+  cells.convertTo(steps, CV_16U, kStepsPerCell);
+}
+
+}  // namespace adaptive_localization

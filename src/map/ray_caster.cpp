@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/ray_caster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+/// The traversal along one axis, in cells.
+struct Axis {
+  Axis(double start, double direction)
+      : cell(static_cast<int>(std::floor(start))), step(direction > 0.0 ? 1 : -1) {
+    if (direction == 0.0) return;
+    per_cell = 1.0 / std::abs(direction);
+    next = (direction > 0.0 ? cell + 1 - start : start - cell) * per_cell;
+  }
+
+  void advance() {
+    cell += step;
+    next += per_cell;
+  }
+
+  int cell;
+  int step;
+  double per_cell{std::numeric_limits<double>::infinity()};
+  double next{std::numeric_limits<double>::infinity()};  // along the ray, where the cell is left
+};
+
+/// Where along the ray the strip [0, size] of one axis is entered and left.
+void clip(double start, double direction, double size, double& enter, double& leave) {
+  if (direction == 0.0) {
+    if (start < 0.0 || start >= size) leave = -1.0;
+    return;
+  }
+  const double a = -start / direction;
+  const double b = (size - start) / direction;
+  enter = std::max(enter, std::min(a, b));
+  leave = std::min(leave, std::max(a, b));
+}
+
+}  // namespace
+
+double RayCaster::range(const Pose2& T_map_ray, double max_range) const {
+  const Lattice& lattice = grid_->lattice();
+  const Pose2 ray = lattice.toLattice(T_map_ray);
+  const double resolution = lattice.resolution();
+  const double dx = std::cos(ray.theta);
+  const double dy = std::sin(ray.theta);
+  const double x = ray.x / resolution;
+  const double y = ray.y / resolution;
+
+  double travelled = 0.0;
+  double end = max_range / resolution;
+  clip(x, dx, lattice.width(), travelled, end);
+  clip(y, dy, lattice.height(), travelled, end);
+  if (!(travelled <= end)) return max_range;
+
+  const double skipped = travelled > 0.0 ? travelled + 1e-9 : 0.0;  // step over the map's border
+  Axis column(x + skipped * dx, dx);
+  Axis row(y + skipped * dy, dy);
+  travelled = skipped;
+  while (travelled < end) {
+    if (grid_->isOccupied({column.cell, row.cell})) return travelled * resolution;
+    Axis& nearer = column.next < row.next ? column : row;
+    travelled = skipped + nearer.next;
+    nearer.advance();
+  }
+  return max_range;
+}
+
+}  // namespace adaptive_localization

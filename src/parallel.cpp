@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/parallel.hpp"
+
+#include <opencv2/core.hpp>
+
+namespace adaptive_localization {
+
+void setThreads(int count) { cv::setNumThreads(count); }
+
+void parallelFor(std::size_t count, std::size_t chunk_size,
+                 const std::function<void(const Chunk&)>& body) {
+  const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
+  const auto run = [&](const cv::Range& range) {
+    for (int c = range.start; c < range.end; ++c) {
+      const auto index = static_cast<std::size_t>(c);
+      body({index, index * chunk_size, std::min(count, (index + 1) * chunk_size)});
+    }
+  };
+  const cv::Range all(0, static_cast<int>(chunks));
+  if (chunks < 2 || cv::getNumThreads() < 2) {
+    run(all);
+  } else {
+    cv::parallel_for_(all, run);
+  }
+}
+
+}  // namespace adaptive_localization
