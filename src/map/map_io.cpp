@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/map_io.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstdio>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+enum class Mode { kTrinary, kScale, kRaw };
+
+struct MapFile {
+  std::string image;
+  double resolution;  // m per cell
+  Pose2 origin;
+  bool negate;
+  double occupied_thresh;
+  double free_thresh;
+  Mode mode;
+};
+
+/// The value of a key that must be there. `expected` says of what kind.
+template <class T>
+T require(const YAML::Node& root, const std::string& key, const std::string& expected) {
+  const YAML::Node node = root[key];
+  if (!node) throw std::invalid_argument("'" + key + "' is missing, expected " + expected);
+  T value{};
+  if (!YAML::convert<T>::decode(node, value)) {
+    throw std::invalid_argument("'" + key + "': got '" + YAML::Dump(node) + "', expected " +
+                                expected);
+  }
+  return value;
+}
+
+void expect(bool holds, const YAML::Node& root, const std::string& key,
+            const std::string& expected) {
+  if (!holds) {
+    throw std::invalid_argument("'" + key + "': got '" + YAML::Dump(root[key]) + "', expected " +
+                                expected);
+  }
+}
+
+bool readNegate(const YAML::Node& root) {
+  const std::string expected = "0 or 1";
+  bool truth{};
+  if (root["negate"] && YAML::convert<bool>::decode(root["negate"], truth)) return truth;
+  const int number = require<int>(root, "negate", expected);
+  expect(number == 0 || number == 1, root, "negate", expected);
+  return number == 1;
+}
+
+Mode readMode(const YAML::Node& root) {
+  if (!root["mode"]) return Mode::kTrinary;
+  const std::string expected = "trinary, scale or raw";
+  const auto name = require<std::string>(root, "mode", expected);
+  expect(name == "trinary" || name == "scale" || name == "raw", root, "mode", expected);
+  return name == "raw" ? Mode::kRaw : name == "scale" ? Mode::kScale : Mode::kTrinary;
+}
+
+Pose2 readOrigin(const YAML::Node& root) {
+  const std::string expected = "three finite numbers [x, y, yaw]";
+  const auto numbers = require<std::vector<double>>(root, "origin", expected);
+  expect(numbers.size() >= 3, root, "origin", expected);
+  const Pose2 origin{numbers[0], numbers[1], numbers[2]};
+  expect(isFinite(origin), root, "origin", expected);
+  return origin;
+}
+
+MapFile readMapFile(const std::string& yaml_file) {
+  const YAML::Node root = YAML::LoadFile(yaml_file);
+  if (!root.IsMap()) throw std::invalid_argument("got no YAML map, expected 'image: ...' and more");
+  MapFile map;
+  map.image = require<std::string>(root, "image", "the name of an image file");
+  expect(!map.image.empty(), root, "image", "the name of an image file");
+  map.resolution = require<double>(root, "resolution", "metres per cell");
+  expect(map.resolution > 0.0 && std::isfinite(map.resolution), root, "resolution",
+         "a positive number of metres per cell");
+  map.origin = readOrigin(root);
+  map.negate = readNegate(root);
+  map.occupied_thresh = require<double>(root, "occupied_thresh", "a number in [0, 1]");
+  expect(map.occupied_thresh >= 0.0 && map.occupied_thresh <= 1.0, root, "occupied_thresh",
+         "a number in [0, 1]");
+  map.free_thresh = require<double>(root, "free_thresh", "a number in [0, 1]");
+  expect(map.free_thresh >= 0.0 && map.free_thresh <= map.occupied_thresh, root, "free_thresh",
+         "a number in [0, occupied_thresh]");
+  map.mode = readMode(root);
+  return map;
+}
+
+/// 8 bits per channel, with alpha where the image has it.
+cv::Mat readImage(const std::string& file) {
+  if (!std::ifstream(file)) throw std::invalid_argument("image '" + file + "' cannot be opened");
+  cv::Mat image;
+  try {
+    image = cv::imread(file, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    throw std::invalid_argument("image '" + file + "': " + error.err);
+  }
+  if (image.empty()) {
+    throw std::invalid_argument("image '" + file + "' is no image, expected PGM, PNG or the like");
+  }
+  if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
+  if (image.depth() != CV_8U) {
+    throw std::invalid_argument("image '" + file + "': expected 8 or 16 bits per channel");
+  }
+  return image;
+}
+
+/// One pixel's value as map_server gives it. `alpha` is 255 where the image has none.
+std::int8_t toCell(double brightness, int alpha, const MapFile& map) {
+  if (map.negate) brightness = 255.0 - brightness;
+  if (map.mode == Mode::kRaw) return static_cast<std::int8_t>(static_cast<int>(brightness));
+  const double occupancy = (255.0 - brightness) / 255.0;
+  if (occupancy > map.occupied_thresh) return OccupancyGrid::kOccupied;
+  if (occupancy < map.free_thresh) return OccupancyGrid::kFree;
+  const double range = map.occupied_thresh - map.free_thresh;
+  if (map.mode == Mode::kTrinary || alpha == 0 || range == 0.0) return OccupancyGrid::kUnknown;
+  return static_cast<std::int8_t>(1.0 + 98.0 * (occupancy - map.free_thresh) / range);
+}
+
+/// The image's top row is the map's last. In trinary mode alpha counts as one more channel.
+std::vector<std::int8_t> toCells(const cv::Mat& image, const MapFile& map) {
+  const int channels = image.channels();
+  const bool has_alpha = channels == 2 || channels == 4;
+  const int averaged = has_alpha && map.mode != Mode::kTrinary ? channels - 1 : channels;
+  std::vector<std::int8_t> cells;
+  cells.reserve(image.total());
+  for (int row = image.rows - 1; row >= 0; --row) {
+    const unsigned char* pixel = image.ptr<unsigned char>(row);
+    for (int column = 0; column < image.cols; ++column, pixel += channels) {
+      int sum = 0;
+      for (int c = 0; c < averaged; ++c) sum += pixel[c];
+      const int alpha = has_alpha ? pixel[channels - 1] : 255;
+      cells.push_back(toCell(static_cast<double>(sum) / averaged, alpha, map));
+    }
+  }
+  return cells;
+}
+
+std::string besides(const std::string& yaml_file, const std::string& name) {
+  if (name.front() == '/') return name;
+  const auto slash = yaml_file.rfind('/');
+  return slash == std::string::npos ? name : yaml_file.substr(0, slash + 1) + name;
+}
+
+/// The file is there as a whole or not at all.
+void writeFile(const std::string& file, const std::string& contents) {
+  const std::string part = file + ".part";
+  std::ofstream out(part, std::ios::binary);
+  out << contents;
+  out.close();
+  if (!out || std::rename(part.c_str(), file.c_str()) != 0) {
+    std::remove(part.c_str());
+    throw std::runtime_error("cannot write '" + file + "'");
+  }
+}
+
+}  // namespace
+
+OccupancyGrid loadMap(const std::string& yaml_file) {
+  try {
+    const MapFile map = readMapFile(yaml_file);
+    const cv::Mat image = readImage(besides(yaml_file, map.image));
+    return OccupancyGrid(Lattice(image.cols, image.rows, map.resolution, map.origin),
+                         toCells(image, map));
+  } catch (const YAML::BadFile&) {
+    throw std::invalid_argument("map file '" + yaml_file + "' cannot be opened");
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("map file '" + yaml_file + "': " + error.what());
+  }
+}
+
+void saveMap(const OccupancyGrid& grid, const std::string& base) {
+  const Lattice& lattice = grid.lattice();
+  std::ostringstream image;
+  image << "P5\n" << lattice.width() << ' ' << lattice.height() << "\n255\n";
+  for (int row = lattice.height() - 1; row >= 0; --row) {
+    for (int column = 0; column < lattice.width(); ++column) {
+      const int value = grid.cells()[lattice.index({column, row})];
+      const int grey = value < 0 ? 205 : value <= 25 ? 254 : value >= 65 ? 0 : 205;
+      image.put(static_cast<char>(grey));
+    }
+  }
+  std::ostringstream yaml;
+  yaml.precision(15);
+  const Pose2& origin = lattice.origin();
+  yaml << "image: " << base.substr(base.rfind('/') + 1)
+       << ".pgm\nresolution: " << lattice.resolution() << "\norigin: [" << origin.x << ", "
+       << origin.y << ", " << origin.theta
+       << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  writeFile(base + ".pgm", image.str());
+  writeFile(base + ".yaml", yaml.str());
+}
+
+}  // namespace adaptive_localization
