@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/rng.hpp"
+
+namespace adaptive_localization {
+
+/// Names and meanings are amcl's; odom_noise_* are ours.
+struct MotionOptions {
+  std::string odom_model_type{"diff-corrected"};
+  double odom_alpha1{0.2};
+  double odom_alpha2{0.2};
+  double odom_alpha3{0.2};
+  double odom_alpha4{0.2};
+  double odom_alpha5{0.2};
+  double odom_noise_xy{0.0};
+  double odom_noise_theta{0.0};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("odom_model_type", odom_model_type,
+           Choices{"diff", "omni", "diff-corrected", "omni-corrected"},
+           "Motion model; the ones without '-corrected' take variances for standard deviations, as "
+           "amcl's do.");
+    option("odom_alpha1", odom_alpha1, kNotNegative, "", "Rotation noise from rotation.");
+    option("odom_alpha2", odom_alpha2, kNotNegative, "rad^2/m^2", "Rotation noise from translation.");
+    option("odom_alpha3", odom_alpha3, kNotNegative, "", "Translation noise from translation.");
+    option("odom_alpha4", odom_alpha4, kNotNegative, "m^2/rad^2", "Translation noise from rotation.");
+    option("odom_alpha5", odom_alpha5, kNotNegative, "", "Sideways noise from translation (omni).");
+    option("odom_noise_xy", odom_noise_xy, kNotNegative, "m",
+           "Standard deviation added to x and to y at each update, whatever the motion.");
+    option("odom_noise_theta", odom_noise_theta, kNotNegative, "rad",
+           "Standard deviation added to the heading at each update, whatever the motion.");
+  }
+};
+
+/// How the robot moves when odometry says it moved by T_previous_current. One noise model, either
+/// sampled or as a Gaussian.
+class MotionModel {
+ public:
+  virtual ~MotionModel() = default;
+
+  /// Moves every particle by the motion and a sample of its noise. Same bits for any number of
+  /// threads: chunks of fixed size draw from their own streams of rng.
+  virtual void propagate(const Pose2& motion, Particles& particles, Rng& rng) const = 0;
+
+  /// Covariance of the motion's noise over (x, y, theta) in the frame of the previous pose, to first
+  /// order.
+  virtual Eigen::Matrix3d covariance(const Pose2& motion) const = 0;
+};
+
+/// The model that the options name.
+std::unique_ptr<MotionModel> makeMotionModel(const MotionOptions& options);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/observations.hpp"
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/particles.hpp"
+
+namespace adaptive_localization {
+
+/// Names and meanings are amcl's; effective_beams is ours.
+struct ObservationOptions {
+  std::string laser_model_type{"likelihood_field"};
+  double laser_z_hit{0.95};
+  double laser_z_short{0.1};
+  double laser_z_max{0.05};
+  double laser_z_rand{0.05};
+  double laser_sigma_hit{0.1};
+  double laser_lambda_short{0.1};
+  double laser_likelihood_max_dist{2.0};
+  double effective_beams{12.0};
+  bool do_beamskip{false};
+  double beam_skip_distance{0.5};
+  double beam_skip_threshold{0.3};
+  double beam_skip_error_threshold{0.9};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("laser_model_type", laser_model_type,
+           Choices{"likelihood_field", "likelihood_field_prob", "likelihood_field_cubed", "beam",
+                   "inverse_l1"},
+           "Observation model.");
+    option("laser_z_hit", laser_z_hit, kProbability, "", "Weight of a hit near the expected place.");
+    option("laser_z_short", laser_z_short, kProbability, "", "Weight of a short reading (beam).");
+    option("laser_z_max", laser_z_max, kProbability, "", "Weight of a no-return (beam).");
+    option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
+    option("laser_sigma_hit", laser_sigma_hit, Range{1e-3, 10}, "m",
+           "Standard deviation of a hit, of sensor and map together.");
+    option("laser_lambda_short", laser_lambda_short, kPositive, "1/m",
+           "Decay of the share of short readings (beam).");
+    option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
+           "Hits farther than this from any obstacle count as this far (likelihood fields).");
+    option("effective_beams", effective_beams, kPositive, "",
+           "How many independent beams a scan is worth: beams see the same surfaces, so log "
+           "likelihoods are tempered to this number (likelihood_field, beam).");
+    option("do_beamskip", do_beamskip,
+           "Leave out beams that few particles explain (likelihood_field_prob).");
+    option("beam_skip_distance", beam_skip_distance, kNotNegative, "m",
+           "A particle explains a hit nearer than this to an obstacle.");
+    option("beam_skip_threshold", beam_skip_threshold, kProbability, "",
+           "Share of particles that must explain a beam for it to be used.");
+    option("beam_skip_error_threshold", beam_skip_error_threshold, kProbability, "",
+           "If more than this share of the beams were left out, all are used.");
+  }
+};
+
+/// How well observations fit poses.
+class ObservationModel {
+ public:
+  virtual ~ObservationModel() = default;
+
+  /// Adds log p(observations | pose, map) of each particle, up to a constant that all share, and
+  /// returns the number of independent beams behind it: exp(sum / number) is a likelihood per beam
+  /// that does not depend on how many were used. Without a hit it adds nothing and returns 0.
+  virtual double score(const Observations& observations, const Particles& particles,
+                       Eigen::Ref<Eigen::ArrayXd> log_likelihood) const = 0;
+};
+
+/// The model that the options name.
+std::unique_ptr<ObservationModel> makeObservationModel(const ObservationOptions& options,
+                                                       const FilterContext& context);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/rng.hpp"
+
+namespace adaptive_localization {
+
+/// Particles per chunk of a parallel loop; part of what a seed means.
+constexpr std::size_t kParticlesPerChunk = 1024;
+
+/// Calls move(i, rng) for every particle, each chunk with its own stream.
+template <class Move>
+void forEachParticle(const Particles& particles, Rng& rng, const Move& move) {
+  const Rng streams = rng.fork();
+  parallelFor(static_cast<std::size_t>(particles.size()), kParticlesPerChunk, [&](const Chunk& c) {
+    Rng own = streams.split(c.index);
+    for (std::size_t i = c.begin; i < c.end; ++i) move(static_cast<Eigen::Index>(i), own);
+  });
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace adaptive_localization {
+namespace {
+
+[[noreturn]] void reject(const std::string& what, double value, const std::string& expected) {
+  throw std::invalid_argument("scan: " + what + " is " + std::to_string(value) + ", expected " +
+                              expected);
+}
+
+void check(const LaserScan& message) {
+  if (message.ranges.empty()) reject("number of beams", 0.0, "at least 1");
+  if (!std::isfinite(message.angle_min)) reject("angle_min", message.angle_min, "a finite angle");
+  const bool increments = std::isfinite(message.angle_increment) && message.angle_increment != 0.0;
+  if (message.ranges.size() > 1 && !increments) {
+    reject("angle_increment", message.angle_increment, "a finite angle other than 0");
+  }
+  if (!(message.range_min >= 0.0)) reject("range_min", message.range_min, "0 m or more");
+  if (!(message.range_max > message.range_min)) {
+    reject("range_max", message.range_max, "more than range_min");
+  }
+}
+
+}  // namespace
+
+LaserMount LaserMount::level(const Pose2& T_base_sensor) {
+  const double c = std::cos(T_base_sensor.theta);
+  const double s = std::sin(T_base_sensor.theta);
+  LaserMount mount;
+  mount.position = {T_base_sensor.x, T_base_sensor.y};
+  mount.axes << c, -s, s, c;
+  return mount;
+}
+
+LaserMount LaserMount::upsideDown(const Pose2& T_base_sensor) {
+  LaserMount mount = level(T_base_sensor);
+  mount.axes.col(1) = -mount.axes.col(1);
+  return mount;
+}
+
+Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options) {
+  check(message);
+  const double min_range = std::max(message.range_min, options.laser_min_range);
+  const double max_range = options.laser_max_range > 0.0
+                               ? std::min(message.range_max, options.laser_max_range)
+                               : message.range_max;
+  const auto beams = static_cast<Eigen::Index>(message.ranges.size());
+  const Eigen::Index used = std::min<Eigen::Index>(beams, options.laser_max_beams);
+
+  Scan scan;
+  scan.position = mount.position;
+  scan.max_range = max_range;
+  scan.x.resize(used);
+  scan.y.resize(used);
+  scan.range.resize(used);
+  scan.bearing.resize(used);
+  scan.no_return_bearing.resize(used);
+  Eigen::Index hits = 0;
+  Eigen::Index no_returns = 0;
+  for (Eigen::Index k = 0; k < used; ++k) {
+    // evenly spread from the first beam to the last, rounded to the nearest
+    const Eigen::Index i = used == beams ? k : (k * (beams - 1) + (used - 1) / 2) / (used - 1);
+    const double range = message.ranges[static_cast<std::size_t>(i)];
+    if (std::isnan(range) || range <= 0.0 || range < min_range) {
+      ++scan.invalid;
+      continue;
+    }
+    const double angle = message.angle_min + static_cast<double>(i) * message.angle_increment;
+    const Eigen::Vector2d direction = mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const auto bearing = static_cast<float>(std::atan2(direction.y(), direction.x()));
+    if (range >= max_range) {
+      scan.no_return_bearing[no_returns++] = bearing;
+      continue;
+    }
+    scan.x[hits] = static_cast<float>(mount.position.x() + range * direction.x());
+    scan.y[hits] = static_cast<float>(mount.position.y() + range * direction.y());
+    scan.range[hits] = static_cast<float>(range * direction.norm());
+    scan.bearing[hits] = bearing;
+    ++hits;
+  }
+  scan.x.conservativeResize(hits);
+  scan.y.conservativeResize(hits);
+  scan.range.conservativeResize(hits);
+  scan.bearing.conservativeResize(hits);
+  scan.no_return_bearing.conservativeResize(no_returns);
+  return scan;
+}
+
+}  // namespace adaptive_localization
