@@ -190,9 +190,9 @@ void saveMap(const OccupancyGrid& grid, const std::string& base) {
   std::ostringstream yaml;
   yaml.precision(15);
   const Pose2& origin = lattice.origin();
-  yaml << "image: " << base.substr(base.rfind('/') + 1)
-       << ".pgm\nresolution: " << lattice.resolution() << "\norigin: [" << origin.x << ", "
-       << origin.y << ", " << origin.theta
+  const std::string name = base.substr(base.rfind('/') + 1) + ".pgm";
+  yaml << "image: " << YAML::Dump(YAML::Node(name)) << "\nresolution: " << lattice.resolution()
+       << "\norigin: [" << origin.x << ", " << origin.y << ", " << origin.theta
        << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   writeFile(base + ".pgm", image.str());
   writeFile(base + ".yaml", yaml.str());
