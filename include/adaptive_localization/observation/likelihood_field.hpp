@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "adaptive_localization/observation/observation_model.hpp"
+
+namespace adaptive_localization {
+
+class ScoreField;
+
+/// Likelihood field (Thrun, Burgard, Fox, Probabilistic Robotics, table 6.3): a hit at distance d
+/// from the nearest obstacle has
+///
+///     p(d) = z_hit exp(-d^2 / (2 sigma_hit^2)) + z_rand / max_range
+///
+/// d at most laser_likelihood_max_dist. No-returns tell nothing. What a scan of B hits is worth:
+///
+///     likelihood_field         sum_i log p_i * min(1, effective_beams / B)      (our default)
+///     likelihood_field_prob    sum_i log p_i over the beams not skipped         (amcl)
+///     likelihood_field_cubed   log(1 + sum_i p_i^3)                             (amcl's ad hoc form)
+///
+/// One table look-up per particle and hit. The beam model knows in addition that a wall hides what
+/// is behind it, at a hundred times the price.
+class LikelihoodField : public ObservationModel {
+ public:
+  LikelihoodField(const ObservationOptions& options, std::shared_ptr<const DistanceField> field);
+  ~LikelihoodField() override;
+
+  double score(const Observations& observations, const Particles& particles,
+               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override;
+
+ private:
+  double likelihood(double distance, double max_range) const;
+  const ScoreField& fieldFor(double max_range) const;
+
+  /// The scan without the beams that few particles explain, if there are few of those.
+  Scan skipBeams(const Scan& scan, const Particles& particles) const;
+
+  ObservationOptions options_;
+  std::shared_ptr<const DistanceField> field_;
+  mutable std::map<double, std::unique_ptr<ScoreField>> fields_;  // by the laser's max_range
+};
+
+}  // namespace adaptive_localization

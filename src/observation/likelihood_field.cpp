@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/observation/likelihood_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "score_field.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// amcl's test that the cloud is compact enough for skipping beams: within half a metre of its mean.
+bool isCompact(const Particles& particles) {
+  const auto within = [](const Eigen::ArrayXd& column) {
+    return ((column - column.mean()).abs() <= 0.5).all();
+  };
+  return particles.size() > 0 && within(particles.x) && within(particles.y);
+}
+
+}  // namespace
+
+LikelihoodField::LikelihoodField(const ObservationOptions& options,
+                                 std::shared_ptr<const DistanceField> field)
+    : options_(options), field_(std::move(field)) {}
+
+LikelihoodField::~LikelihoodField() = default;
+
+double LikelihoodField::likelihood(double distance, double max_range) const {
+  const double deviations = distance / options_.laser_sigma_hit;
+  const double p = options_.laser_z_hit * std::exp(-0.5 * deviations * deviations) +
+                   options_.laser_z_rand / max_range;
+  return std::max(p, 1e-12);  // both weights may be zero
+}
+
+const ScoreField& LikelihoodField::fieldFor(double max_range) const {
+  auto& field = fields_[max_range];
+  if (!field) {
+    const bool cubed = options_.laser_model_type == "likelihood_field_cubed";
+    field = std::make_unique<ScoreField>(
+        *field_, options_.laser_likelihood_max_dist, [&](double distance) {
+          const double p = likelihood(distance, max_range);
+          return cubed ? p * p * p : std::log(p);
+        });
+  }
+  return *field;
+}
+
+Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) const {
+  const double explained = std::log(likelihood(options_.beam_skip_distance, scan.max_range));
+  const Eigen::ArrayXd share =
+      fieldFor(scan.max_range).shareAbove(explained, scan.x, scan.y, particles);
+  const auto used = (share > options_.beam_skip_threshold).count();
+  const double skipped = 1.0 - static_cast<double>(used) / static_cast<double>(scan.hits());
+  if (skipped >= options_.beam_skip_error_threshold) return scan;
+
+  Scan kept = scan;
+  Eigen::Index next = 0;
+  for (Eigen::Index j = 0; j < scan.x.size(); ++j) {
+    if (share[j] <= options_.beam_skip_threshold) continue;
+    kept.x[next] = scan.x[j];
+    kept.y[next++] = scan.y[j];
+  }
+  kept.x.conservativeResize(next);
+  kept.y.conservativeResize(next);
+  return kept;
+}
+
+double LikelihoodField::score(const Observations& observations, const Particles& particles,
+                              Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
+  const bool prob = options_.laser_model_type == "likelihood_field_prob";
+  const bool skip = prob && options_.do_beamskip && observations.scan.hits() > 0;
+  const Scan scan = skip && isCompact(particles) ? skipBeams(observations.scan, particles)
+                                                 : observations.scan;
+  const int hits = scan.hits();
+  if (hits == 0 || particles.size() == 0) return 0.0;
+
+  Eigen::ArrayXd sums(particles.size());
+  fieldFor(scan.max_range).sum(scan.x, scan.y, particles, sums);
+  if (options_.laser_model_type == "likelihood_field_cubed") {
+    log_likelihood += sums.log1p();
+    return 1.0;
+  }
+  const double independent = prob ? hits : std::min<double>(hits, options_.effective_beams);
+  log_likelihood += sums * (independent / hits);
+  return independent;
+}
+
+}  // namespace adaptive_localization

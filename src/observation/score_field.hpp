@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// A function of the distance to the nearest obstacle, tabulated over the map with 16 bits per cell,
+/// and its sum over the hits of a scan for many poses at once.
+///
+/// The sum is one of whole numbers, so it does not depend on its order: scalar code, AVX2 code and
+/// any number of threads give the same bits.
+class ScoreField {
+ public:
+  /// value(distance in metres) must be monotone; distances above max_distance count as
+  /// max_distance, and so does everything outside the map.
+  ScoreField(const DistanceField& field, double max_distance,
+             const std::function<double(double)>& value);
+
+  /// Sum of the values at the hits (end points in base, m) for each particle. At most
+  /// kMaxHits hits.
+  void sum(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const Particles& particles,
+           Eigen::Ref<Eigen::ArrayXd> sums) const;
+
+  /// For each hit, the share of particles that see it at a distance below that of the value.
+  Eigen::ArrayXd shareAbove(double value, const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
+                            const Particles& particles) const;
+
+  static constexpr int kMaxHits = 32767;
+
+  /// Uses only portable instructions from now on; for tests that compare them.
+  static void usePortableInstructions(bool portable);
+
+ private:
+  Lattice lattice_;
+  double low_;
+  double step_;
+  int stride_;                        // columns of the table, with a border on both sides
+  std::vector<std::uint16_t> table_;  // padded by one border cell and one value for wide loads
+};
+
+}  // namespace adaptive_localization
