@@ -100,15 +100,15 @@ void Parameters::readOne(const std::string& key, bool& value, const std::string&
   }
 }
 
-void Parameters::readOne(const std::string& key, int& value, const Range& range,
-                         const std::string&, const std::string&) const {
+void Parameters::readOne(const std::string& key, int& value, const Range& range, const std::string&,
+                         const std::string&) const {
   const OptionValue* given = find(key);
   if (!given) return;
   double number = std::nan("");
   if (const auto* whole = std::get_if<int>(given)) number = *whole;
   if (const auto* real = std::get_if<double>(given)) number = *real;
-  const bool is_int = std::abs(number) <= std::numeric_limits<int>::max() &&
-                      std::nearbyint(number) == number;
+  const bool is_int =
+      std::abs(number) <= std::numeric_limits<int>::max() && std::nearbyint(number) == number;
   if (!is_int || number < range.low || number > range.high) {
     reject(key, *given, "a whole number " + toText(range));
   }

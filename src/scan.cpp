@@ -72,7 +72,8 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
       continue;
     }
     const double angle = message.angle_min + static_cast<double>(i) * message.angle_increment;
-    const Eigen::Vector2d direction = mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d direction =
+        mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     const auto bearing = static_cast<float>(std::atan2(direction.y(), direction.x()));
     if (range >= max_range) {
       scan.no_return_bearing[no_returns++] = bearing;

@@ -43,10 +43,10 @@ struct LocalizerOptions {
 
 /// What the localizer answers to a scan.
 struct Localization {
-  Pose2 T_map_odom;       // the correction of odometry; valid for scans to come
-  Pose2 T_map_base;       // at this scan
-  Estimate estimate;      // of the last update; modes and covariance
-  bool updated{false};    // this scan went through the filter
+  Pose2 T_map_odom;        // the correction of odometry; valid for scans to come
+  Pose2 T_map_base;        // at this scan
+  Estimate estimate;       // of the last update; modes and covariance
+  bool updated{false};     // this scan went through the filter
   double confidence{0.0};  // in [0, 1]
   Status status{Status::kUninitialised};
 };
@@ -65,11 +65,15 @@ class Localizer {
   /// The next scan updates the filter whether the robot moved or not.
   void requestUpdate() { update_requested_ = true; }
 
-  /// A new map in the same frame; keeps the belief's best Gaussian.
+  /// A new map in the same frame: goes on from the heaviest mode. Throws as the constructor does,
+  /// and then keeps the old map.
   void setMap(std::shared_ptr<const OccupancyGrid> map);
 
   /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
+
+  /// How well scans fit the map at the estimate, how sure the belief is.
+  const Confidence& confidence() const { return *confidence_; }
 
   /// The belief as a cloud; empty before reset().
   const Particles& hypotheses() const { return filter_->hypotheses(); }
@@ -80,23 +84,25 @@ class Localizer {
   /// Keys that neither the localizer nor the filter knows.
   std::vector<std::string> unknownKeys() const;
 
-  /// All options in effect, given or default.
-  const std::vector<OptionDescription>& effectiveOptions() const { return effective_; }
+  /// All options of localizer and filter with the values in effect, given or default.
+  std::vector<OptionDescription> effectiveOptions() const;
 
  private:
-  void makeFilter();
+  void makeFilter(std::shared_ptr<const OccupancyGrid> map);
   bool gateOpens(const Pose2& motion) const;
+  void updateFilter(const Pose2& motion, const Observations& observations);
+  Status judge() const;
 
-  Parameters parameters_;
+  FilterRegistry registry_;
   LocalizerOptions options_;
   ScanOptions scan_options_;
-  FilterRegistry registry_;
+  ConfidenceOptions confidence_options_;
   FilterContext context_;
   std::unique_ptr<Filter> filter_;
-  Confidence confidence_;
-  std::vector<OptionDescription> effective_;
+  std::optional<Confidence> confidence_;
 
-  bool initialised_{false};
+  bool converged_{false};  // was localized since the last reset
+  bool from_anywhere_{false};
   bool update_requested_{false};
   std::optional<Pose2> T_odom_base_at_update_;
   Localization last_;

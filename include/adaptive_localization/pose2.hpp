@@ -44,10 +44,14 @@ inline Pose2 inverse(const Pose2& a) {
 }
 
 /// T_b_c from T_a_b and T_a_c: where c is as seen from b.
-inline Pose2 between(const Pose2& T_a_b, const Pose2& T_a_c) { return inverse(T_a_b) * T_a_c; }
+inline Pose2 between(const Pose2& T_a_b, const Pose2& T_a_c) {
+  return inverse(T_a_b) * T_a_c;
+}
 
 /// Euclidean distance of the two positions, metres.
-inline double distance(const Pose2& a, const Pose2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double distance(const Pose2& a, const Pose2& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
 
 inline bool isFinite(const Pose2& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.theta);

@@ -7,8 +7,9 @@
 
 namespace adaptive_localization {
 
-/// Seeded, splittable source of randomness: xoshiro256++ (Blackman and Vigna 2018), its state filled
-/// by splitmix64. Same seed, same numbers on every machine. Usable as a UniformRandomBitGenerator.
+/// Seeded, splittable source of randomness: xoshiro256++ (Blackman and Vigna 2018), its state
+/// filled by splitmix64. Same seed, same numbers on every machine. Usable as a
+/// UniformRandomBitGenerator.
 ///
 /// Parallel loops call split(chunk) once per chunk of fixed size, so results do not depend on the
 /// number of threads.

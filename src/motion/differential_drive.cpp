@@ -40,7 +40,8 @@ DifferentialDrive::Step DifferentialDrive::split(const Pose2& motion) const {
   const double rot2_2 = square(folded(step.rot2));
   step.sigma_rot1 = sigma(options_.odom_alpha1 * rot1_2 + options_.odom_alpha2 * trans2);
   step.sigma_rot2 = sigma(options_.odom_alpha1 * rot2_2 + options_.odom_alpha2 * trans2);
-  step.sigma_trans = sigma(options_.odom_alpha3 * trans2 + options_.odom_alpha4 * (rot1_2 + rot2_2));
+  step.sigma_trans =
+      sigma(options_.odom_alpha3 * trans2 + options_.odom_alpha4 * (rot1_2 + rot2_2));
   return step;
 }
 

@@ -53,8 +53,8 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
       // max(a, 0) is 0 for a NaN, as in valueAt
       const __m256 column = _mm256_min_ps(_mm256_max_ps(_mm256_add_ps(u, du), zero), max_u);
       const __m256 row = _mm256_min_ps(_mm256_max_ps(_mm256_add_ps(v, dv), zero), max_v);
-      const __m256i index = _mm256_add_epi32(
-          _mm256_mullo_epi32(_mm256_cvttps_epi32(row), stride), _mm256_cvttps_epi32(column));
+      const __m256i index = _mm256_add_epi32(_mm256_mullo_epi32(_mm256_cvttps_epi32(row), stride),
+                                             _mm256_cvttps_epi32(column));
       sum = _mm256_add_epi32(sum,
                              _mm256_and_si256(_mm256_i32gather_epi32(values, index, 2), low_half));
     }
@@ -65,9 +65,13 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
 
 }  // namespace
 
-SumKernel fastestSum() { return __builtin_cpu_supports("avx2") ? sumAvx2 : sumPortable; }
+SumKernel fastestSum() {
+  return __builtin_cpu_supports("avx2") ? sumAvx2 : sumPortable;
+}
 #else
-SumKernel fastestSum() { return sumPortable; }
+SumKernel fastestSum() {
+  return sumPortable;
+}
 #endif
 
 }  // namespace adaptive_localization

@@ -10,7 +10,8 @@
 namespace adaptive_localization {
 namespace {
 
-/// amcl's test that the cloud is compact enough for skipping beams: within half a metre of its mean.
+/// amcl's test that the cloud is compact enough for skipping beams: within half a metre of its
+/// mean.
 bool isCompact(const Particles& particles) {
   const auto within = [](const Eigen::ArrayXd& column) {
     return ((column - column.mean()).abs() <= 0.5).all();
@@ -37,11 +38,11 @@ const ScoreField& LikelihoodField::fieldFor(double max_range) const {
   auto& field = fields_[max_range];
   if (!field) {
     const bool cubed = options_.laser_model_type == "likelihood_field_cubed";
-    field = std::make_unique<ScoreField>(
-        *field_, options_.laser_likelihood_max_dist, [&](double distance) {
-          const double p = likelihood(distance, max_range);
-          return cubed ? p * p * p : std::log(p);
-        });
+    field = std::make_unique<ScoreField>(*field_, options_.laser_likelihood_max_dist,
+                                         [&](double distance) {
+                                           const double p = likelihood(distance, max_range);
+                                           return cubed ? p * p * p : std::log(p);
+                                         });
   }
   return *field;
 }
@@ -70,8 +71,8 @@ double LikelihoodField::score(const Observations& observations, const Particles&
                               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
   const bool prob = options_.laser_model_type == "likelihood_field_prob";
   const bool skip = prob && options_.do_beamskip && observations.scan.hits() > 0;
-  const Scan scan = skip && isCompact(particles) ? skipBeams(observations.scan, particles)
-                                                 : observations.scan;
+  const Scan scan =
+      skip && isCompact(particles) ? skipBeams(observations.scan, particles) : observations.scan;
   const int hits = scan.hits();
   if (hits == 0 || particles.size() == 0) return 0.0;
 

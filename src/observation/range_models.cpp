@@ -64,9 +64,8 @@ double BeamModel::score(const Observations& observations, const Particles& parti
   const auto beams = static_cast<double>(scan.range.size() + scan.no_return_bearing.size());
   if (scan.hits() == 0) return 0.0;
   const double independent = std::min(beams, options_.effective_beams);
-  scoreEach(particles, log_likelihood, [&](const Pose2& pose) {
-    return logLikelihood(scan, pose) * (independent / beams);
-  });
+  scoreEach(particles, log_likelihood,
+            [&](const Pose2& pose) { return logLikelihood(scan, pose) * (independent / beams); });
   return independent;
 }
 

@@ -12,8 +12,8 @@
 
 namespace adaptive_localization {
 
-/// A function of the distance to the nearest obstacle, tabulated over the map with 16 bits per cell,
-/// and its sum over the hits of a scan for many poses at once.
+/// A function of the distance to the nearest obstacle, tabulated over the map with 16 bits per
+/// cell, and its sum over the hits of a scan for many poses at once.
 ///
 /// The sum is one of whole numbers, so it does not depend on its order: scalar code, AVX2 code and
 /// any number of threads give the same bits.

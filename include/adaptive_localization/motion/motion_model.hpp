@@ -30,9 +30,11 @@ struct MotionOptions {
            "Motion model; the ones without '-corrected' take variances for standard deviations, as "
            "amcl's do.");
     option("odom_alpha1", odom_alpha1, kNotNegative, "", "Rotation noise from rotation.");
-    option("odom_alpha2", odom_alpha2, kNotNegative, "rad^2/m^2", "Rotation noise from translation.");
+    option("odom_alpha2", odom_alpha2, kNotNegative, "rad^2/m^2",
+           "Rotation noise from translation.");
     option("odom_alpha3", odom_alpha3, kNotNegative, "", "Translation noise from translation.");
-    option("odom_alpha4", odom_alpha4, kNotNegative, "m^2/rad^2", "Translation noise from rotation.");
+    option("odom_alpha4", odom_alpha4, kNotNegative, "m^2/rad^2",
+           "Translation noise from rotation.");
     option("odom_alpha5", odom_alpha5, kNotNegative, "", "Sideways noise from translation (omni).");
     option("odom_noise_xy", odom_noise_xy, kNotNegative, "m",
            "Standard deviation added to x and to y at each update, whatever the motion.");
@@ -51,8 +53,8 @@ class MotionModel {
   /// threads: chunks of fixed size draw from their own streams of rng.
   virtual void propagate(const Pose2& motion, Particles& particles, Rng& rng) const = 0;
 
-  /// Covariance of the motion's noise over (x, y, theta) in the frame of the previous pose, to first
-  /// order.
+  /// Covariance of the motion's noise over (x, y, theta) in the frame of the previous pose, to
+  /// first order.
   virtual Eigen::Matrix3d covariance(const Pose2& motion) const = 0;
 };
 

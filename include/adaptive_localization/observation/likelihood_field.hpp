@@ -19,7 +19,8 @@ class ScoreField;
 ///
 ///     likelihood_field         sum_i log p_i * min(1, effective_beams / B)      (our default)
 ///     likelihood_field_prob    sum_i log p_i over the beams not skipped         (amcl)
-///     likelihood_field_cubed   log(1 + sum_i p_i^3)                             (amcl's ad hoc form)
+///     likelihood_field_cubed   log(1 + sum_i p_i^3)                             (amcl's ad hoc
+///     form)
 ///
 /// One table look-up per particle and hit. The beam model knows in addition that a wall hides what
 /// is behind it, at a hundred times the price.

@@ -34,7 +34,8 @@ struct ObservationOptions {
            Choices{"likelihood_field", "likelihood_field_prob", "likelihood_field_cubed", "beam",
                    "inverse_l1"},
            "Observation model.");
-    option("laser_z_hit", laser_z_hit, kProbability, "", "Weight of a hit near the expected place.");
+    option("laser_z_hit", laser_z_hit, kProbability, "",
+           "Weight of a hit near the expected place.");
     option("laser_z_short", laser_z_short, kProbability, "", "Weight of a short reading (beam).");
     option("laser_z_max", laser_z_max, kProbability, "", "Weight of a no-return (beam).");
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");

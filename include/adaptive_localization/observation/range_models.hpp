@@ -12,8 +12,8 @@ namespace adaptive_localization {
 ///     p = z_hit exp(-(z - z*)^2 / (2 sigma_hit^2)) + [z < z*] z_short lambda exp(-lambda z)
 ///         + [no-return] z_max + [hit] z_rand / max_range
 ///
-/// and the scan's worth is the sum of log p, tempered as in likelihood_field. Knows occlusion, which
-/// the likelihood field does not; a hundred times slower.
+/// and the scan's worth is the sum of log p, tempered as in likelihood_field. Knows occlusion,
+/// which the likelihood field does not; a hundred times slower.
 class BeamModel : public ObservationModel {
  public:
   BeamModel(const ObservationOptions& options, std::shared_ptr<const OccupancyGrid> map)
@@ -29,8 +29,8 @@ class BeamModel : public ObservationModel {
   RayCaster ray_caster_;
 };
 
-/// Weight of the source system of SAMCL and SA-KLD: w = 1 / sum_i |z_i* - z_i| over the valid beams,
-/// a no-return counting as max_range; the sum is at least a millimetre.
+/// Weight of the source system of SAMCL and SA-KLD: w = 1 / sum_i |z_i* - z_i| over the valid
+/// beams, a no-return counting as max_range; the sum is at least a millimetre.
 class InverseL1 : public ObservationModel {
  public:
   explicit InverseL1(std::shared_ptr<const OccupancyGrid> map) : ray_caster_(std::move(map)) {}

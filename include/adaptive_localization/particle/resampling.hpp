@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/rng.hpp"
+
+namespace adaptive_localization {
+
+/// Normalised weights from their logarithms: sum 1. Weights that make no sense (all zero, or not a
+/// number) become uniform.
+Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight);
+
+/// Effective number of particles, 1 / sum w^2, of normalised weights (Kong, Liu, Wong 1994).
+double effectiveSize(const Eigen::ArrayXd& weights);
+
+/// Systematic resampling (Kitagawa 1996; Probabilistic Robotics, table 4.4): `count` indices, with
+/// each particle i drawn floor or ceil of count w_i times. O(particles + count).
+std::vector<Eigen::Index> systematicIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                            Rng& rng);
+
+/// The particles at the indices, with equal weights.
+Particles select(const Particles& particles, const std::vector<Eigen::Index>& indices);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "particle_filter.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "adaptive_localization/particle/resampling.hpp"
+#include "adaptive_localization/particle/summary.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A square root of a covariance that may be singular; what is not finite or negative counts as 0.
+Eigen::Matrix3d squareRoot(const Eigen::Matrix3d& covariance) {
+  if (!covariance.allFinite()) return Eigen::Matrix3d::Zero();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+}  // namespace
+
+void ParticleFilter::reset(const Prior& prior) {
+  particles_ = Particles(parts_.size->initial());
+  if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
+    const Eigen::Matrix3d root = squareRoot(gaussian->covariance);
+    for (Eigen::Index i = 0; i < particles_.size(); ++i) {
+      const Eigen::Vector3d d = root * Eigen::Vector3d(rng_.normal(), rng_.normal(), rng_.normal());
+      const Pose2& mean = gaussian->mean;
+      particles_.setPose(i, {mean.x + d.x(), mean.y + d.y(), wrapAngle(mean.theta + d.z())});
+    }
+  } else {
+    for (Eigen::Index i = 0; i < particles_.size(); ++i) {
+      particles_.setPose(i, parts_.elsewhere->draw(rng_));
+    }
+  }
+  parts_.exploration->reset();
+  updates_since_resampling_ = 0;
+}
+
+Estimate ParticleFilter::update(const Pose2& motion, const Observations& observations) {
+  parts_.motion->propagate(motion, particles_, rng_);
+  weigh(observations);
+  const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
+  particles_.log_weight = weights.log();
+  const Estimate estimate = summarize(particles_, weights);
+
+  parts_.elsewhere->condition(observations);
+  const double elsewhere = parts_.exploration->share();
+  if (resamplingIsDue(weights, elsewhere)) resample(weights, elsewhere);
+  return estimate;
+}
+
+Estimate ParticleFilter::estimate() const {
+  return summarize(particles_, normalisedWeights(particles_.log_weight));
+}
+
+void ParticleFilter::weigh(const Observations& observations) {
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles_.size());
+  const double beams = parts_.observation->score(observations, particles_, log_likelihood);
+  if (beams <= 0.0) return;
+  const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
+  parts_.exploration->observe((weights * (log_likelihood / beams).exp()).sum());
+  particles_.log_weight += log_likelihood;
+}
+
+bool ParticleFilter::resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere) {
+  if (++updates_since_resampling_ < options_.resample_interval) return false;
+  if (!options_.selective_resampling || elsewhere > 0.0) return true;
+  return effectiveSize(weights) < 0.5 * static_cast<double>(weights.size());
+}
+
+void ParticleFilter::resample(const Eigen::ArrayXd& weights, double elsewhere) {
+  const Eigen::Index count = parts_.size->next(particles_, weights, rng_);
+  const auto away = static_cast<Eigen::Index>(std::floor(elsewhere * static_cast<double>(count)));
+  Particles next = select(particles_, systematicIndices(weights, count - away, rng_));
+  const Eigen::Index stay = next.size();
+  next.x.conservativeResize(count);
+  next.y.conservativeResize(count);
+  next.theta.conservativeResize(count);
+  for (Eigen::Index i = stay; i < count; ++i) next.setPose(i, parts_.elsewhere->draw(rng_));
+  next.log_weight = Eigen::ArrayXd::Constant(count, -std::log(static_cast<double>(count)));
+  particles_ = std::move(next);
+  parts_.size->observe(particles_);
+  if (away > 0) parts_.exploration->explored();
+  updates_since_resampling_ = 0;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/observation/observation_model.hpp"
+#include "adaptive_localization/particle/exploration.hpp"
+#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "adaptive_localization/particle/sample_size.hpp"
+
+namespace adaptive_localization {
+
+struct ParticleFilterOptions {
+  int resample_interval{1};
+  bool selective_resampling{true};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("resample_interval", resample_interval, Range{1, 1000}, "",
+           "Resample at every n-th update at the most.");
+    option("selective_resampling", selective_resampling,
+           "Resample only when the effective number of particles is below half of them, or when "
+           "their number shall change much.");
+  }
+};
+
+/// The parts of a particle filter that make the difference between mcl, kld, amcl and others.
+struct ParticleFilterParts {
+  std::unique_ptr<MotionModel> motion;
+  std::unique_ptr<ObservationModel> observation;
+  std::unique_ptr<SampleSize> size;
+  std::unique_ptr<Exploration> exploration;
+  std::unique_ptr<PoseSampler> elsewhere;
+};
+
+/// Monte Carlo localization (Dellaert, Fox, Burgard, Thrun 1999; Probabilistic Robotics,
+/// table 8.2): move, weigh, resample.
+class ParticleFilter : public Filter {
+ public:
+  ParticleFilter(const ParticleFilterOptions& options, ParticleFilterParts parts,
+                 std::uint64_t seed)
+      : options_(options), parts_(std::move(parts)), rng_(seed) {}
+
+  void reset(const Prior& prior) override;
+  Estimate update(const Pose2& motion, const Observations& observations) override;
+  Estimate estimate() const override;
+  const Particles& hypotheses() const override { return particles_; }
+
+ private:
+  void weigh(const Observations& observations);
+  bool resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere);
+  void resample(const Eigen::ArrayXd& weights, double elsewhere);
+
+  ParticleFilterOptions options_;
+  ParticleFilterParts parts_;
+  Rng rng_;
+  Particles particles_;
+  int updates_since_resampling_{0};
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/exploration.hpp"
+
+#include <algorithm>
+
+namespace adaptive_localization {
+namespace {
+
+class None : public Exploration {
+ public:
+  void reset() override {}
+  void observe(double) override {}
+  double share() const override { return 0.0; }
+  void explored() override {}
+};
+
+class Augmented : public Exploration {
+ public:
+  explicit Augmented(const ExplorationOptions& options) : options_(options) {}
+
+  void reset() override { w_slow_ = w_fast_ = 0.0; }
+
+  void observe(double w) override {
+    if (w_slow_ <= 0.0) {
+      w_slow_ = w_fast_ = w;
+      return;
+    }
+    w_slow_ += options_.recovery_alpha_slow * (w - w_slow_);
+    w_fast_ += options_.recovery_alpha_fast * (w - w_fast_);
+  }
+
+  double share() const override {
+    const bool on = options_.recovery_alpha_slow > 0.0 && options_.recovery_alpha_fast > 0.0;
+    return on && w_slow_ > 0.0 ? std::max(0.0, 1.0 - w_fast_ / w_slow_) : 0.0;
+  }
+
+  void explored() override { reset(); }
+
+ private:
+  ExplorationOptions options_;
+  double w_slow_{0.0};
+  double w_fast_{0.0};
+};
+
+}  // namespace
+
+std::unique_ptr<Exploration> noExploration() {
+  return std::make_unique<None>();
+}
+
+std::unique_ptr<Exploration> augmentedExploration(const ExplorationOptions& options) {
+  return std::make_unique<Augmented>(options);
+}
+
+}  // namespace adaptive_localization

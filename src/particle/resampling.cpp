@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/resampling.hpp"
+
+#include <cmath>
+
+namespace adaptive_localization {
+
+Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
+  const Eigen::Index count = log_weight.size();
+  if (count == 0) return {};
+  const double largest = log_weight.maxCoeff();
+  Eigen::ArrayXd weights = (log_weight - largest).exp();
+  const double sum = weights.sum();
+  if (!std::isfinite(sum) || sum <= 0.0) {
+    return Eigen::ArrayXd::Constant(count, 1.0 / static_cast<double>(count));
+  }
+  return weights / sum;
+}
+
+double effectiveSize(const Eigen::ArrayXd& weights) {
+  return 1.0 / weights.square().sum();
+}
+
+std::vector<Eigen::Index> systematicIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                            Rng& rng) {
+  std::vector<Eigen::Index> indices;
+  if (weights.size() == 0 || count <= 0) return indices;
+  indices.reserve(static_cast<std::size_t>(count));
+  const double step = 1.0 / static_cast<double>(count);
+  const double offset = rng.uniform();
+  double cumulative = weights[0];
+  Eigen::Index i = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double target = (static_cast<double>(k) + offset) * step;
+    while (target >= cumulative && i + 1 < weights.size()) cumulative += weights[++i];
+    indices.push_back(i);
+  }
+  return indices;
+}
+
+Particles select(const Particles& particles, const std::vector<Eigen::Index>& indices) {
+  Particles selected(static_cast<Eigen::Index>(indices.size()));
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    selected.setPose(static_cast<Eigen::Index>(k), particles.pose(indices[k]));
+  }
+  return selected;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/sample_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "adaptive_localization/particle/pose_bins.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+class Fixed : public SampleSize {
+ public:
+  explicit Fixed(Eigen::Index size) : size_(size) {}
+  Eigen::Index initial() const override { return size_; }
+  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return size_; }
+
+ private:
+  Eigen::Index size_;
+};
+
+/// Fox's algorithm: draw particles one by one until there are as many as the bins seen so far
+/// demand. Only the number is kept; the set itself is then drawn systematically, with less
+/// variance.
+class KldDrawn : public SampleSize {
+ public:
+  explicit KldDrawn(const SampleSizeOptions& options) : options_(options) {}
+
+  Eigen::Index initial() const override { return options_.max_particles; }
+
+  Eigen::Index next(const Particles& particles, const Eigen::ArrayXd& weights, Rng& rng) override {
+    std::vector<double> cumulative(static_cast<std::size_t>(weights.size()));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cumulative.size(); ++i) {
+      cumulative[i] = sum += weights[static_cast<Eigen::Index>(i)];
+    }
+    PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);
+    Eigen::Index needed = options_.min_particles;
+    for (Eigen::Index drawn = 1; drawn <= options_.max_particles; ++drawn) {
+      const auto at = std::upper_bound(cumulative.begin(), cumulative.end(), sum * rng.uniform());
+      const auto i = std::min<Eigen::Index>(at - cumulative.begin(), particles.size() - 1);
+      const int before = bins.count();
+      bins.add(particles.pose(i));
+      if (bins.count() > before) needed = sizeFor(bins.count());
+      if (drawn >= needed) return drawn;
+    }
+    return options_.max_particles;
+  }
+
+ protected:
+  Eigen::Index sizeFor(int bins) const {
+    return std::clamp<Eigen::Index>(kldSampleSize(bins, options_.kld_err, options_.kld_z),
+                                    options_.min_particles, options_.max_particles);
+  }
+
+  SampleSizeOptions options_;
+};
+
+/// The sources' reading: the bins of the set that was resampled size the next one.
+class KldResampled : public KldDrawn {
+ public:
+  explicit KldResampled(const SampleSizeOptions& options)
+      : KldDrawn(options), next_(options.max_particles) {}
+
+  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return next_; }
+
+  void observe(const Particles& particles) override {
+    PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);
+    for (Eigen::Index i = 0; i < particles.size(); ++i) bins.add(particles.pose(i));
+    next_ = sizeFor(bins.count());
+  }
+
+ private:
+  Eigen::Index next_;
+};
+
+}  // namespace
+
+Eigen::Index kldSampleSize(int bins, double err, double z) {
+  if (bins <= 1) return 1;
+  const double k = bins - 1;
+  const double spread = 2.0 / (9.0 * k);
+  return static_cast<Eigen::Index>(
+      std::ceil(k / (2.0 * err) * std::pow(1.0 - spread + std::sqrt(spread) * z, 3)));
+}
+
+std::unique_ptr<SampleSize> fixedSampleSize(const SampleSizeOptions& options) {
+  return std::make_unique<Fixed>(options.max_particles);
+}
+
+std::unique_ptr<SampleSize> kldSampleSize(const SampleSizeOptions& options) {
+  if (options.min_particles > options.max_particles) {
+    throw std::invalid_argument(
+        "option 'min_particles': got " + std::to_string(options.min_particles) +
+        ", expected at most max_particles, which is " + std::to_string(options.max_particles));
+  }
+  if (options.kld_count == "resampled") return std::make_unique<KldResampled>(options);
+  return std::make_unique<KldDrawn>(options);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "adaptive_localization/particle/pose_bins.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kBinSide = 0.5;          // m
+constexpr double kBinAngle = kPi / 18.0;  // rad
+
+/// A number for each bin, the same for bins that touch at a side, an edge or a corner.
+std::vector<int> labelClusters(const PoseBins& bins, int& clusters) {
+  std::vector<int> label(static_cast<std::size_t>(bins.count()), -1);
+  std::vector<int> open;
+  clusters = 0;
+  for (int start = 0; start < bins.count(); ++start) {
+    if (label[static_cast<std::size_t>(start)] >= 0) continue;
+    label[static_cast<std::size_t>(start)] = clusters;
+    open.push_back(start);
+    while (!open.empty()) {
+      const PoseBin centre = bins.bin(open.back());
+      open.pop_back();
+      for (int d = 0; d < 27; ++d) {
+        const int neighbour =
+            bins.find({centre.x + d % 3 - 1, centre.y + d / 3 % 3 - 1, centre.theta + d / 9 - 1});
+        if (neighbour == PoseBins::kNone) continue;
+        int& mark = label[static_cast<std::size_t>(neighbour)];
+        if (mark >= 0) continue;
+        mark = clusters;
+        open.push_back(neighbour);
+      }
+    }
+    ++clusters;
+  }
+  return label;
+}
+
+}  // namespace
+
+Mode meanAndCovariance(const Particles& particles, const Eigen::ArrayXd& weights,
+                       const std::vector<Eigen::Index>& members) {
+  Mode mode;
+  double sum_x = 0.0, sum_y = 0.0, sum_cos = 0.0, sum_sin = 0.0;
+  for (const Eigen::Index i : members) {
+    mode.mass += weights[i];
+    sum_x += weights[i] * particles.x[i];
+    sum_y += weights[i] * particles.y[i];
+    sum_cos += weights[i] * std::cos(particles.theta[i]);
+    sum_sin += weights[i] * std::sin(particles.theta[i]);
+  }
+  if (!(mode.mass > 0.0)) {  // weights that underflowed: any member will do
+    if (!members.empty()) mode.T_map_base = particles.pose(members.front());
+    return mode;
+  }
+  mode.T_map_base = {sum_x / mode.mass, sum_y / mode.mass, std::atan2(sum_sin, sum_cos)};
+  for (const Eigen::Index i : members) {
+    const Eigen::Vector3d d(particles.x[i] - mode.T_map_base.x, particles.y[i] - mode.T_map_base.y,
+                            wrapAngle(particles.theta[i] - mode.T_map_base.theta));
+    mode.covariance += weights[i] / mode.mass * d * d.transpose();
+  }
+  return mode;
+}
+
+Estimate summarize(const Particles& particles, const Eigen::ArrayXd& weights) {
+  PoseBins bins(kBinSide, kBinAngle);
+  std::vector<int> bin(static_cast<std::size_t>(particles.size()));
+  for (std::size_t i = 0; i < bin.size(); ++i) {
+    bin[i] = bins.add(particles.pose(static_cast<Eigen::Index>(i)));
+  }
+  int clusters = 0;
+  const std::vector<int> label = labelClusters(bins, clusters);
+  std::vector<std::vector<Eigen::Index>> members(static_cast<std::size_t>(clusters));
+  for (std::size_t i = 0; i < bin.size(); ++i) {
+    const auto cluster = static_cast<std::size_t>(label[static_cast<std::size_t>(bin[i])]);
+    members[cluster].push_back(static_cast<Eigen::Index>(i));
+  }
+  Estimate estimate;
+  for (const auto& cluster : members) {
+    estimate.modes.push_back(meanAndCovariance(particles, weights, cluster));
+  }
+  if (estimate.modes.empty()) estimate.modes.emplace_back();
+  std::stable_sort(estimate.modes.begin(), estimate.modes.end(),
+                   [](const Mode& a, const Mode& b) { return a.mass > b.mass; });
+  estimate.T_map_base = estimate.modes.front().T_map_base;
+  estimate.covariance = estimate.modes.front().covariance;
+  return estimate;
+}
+
+}  // namespace adaptive_localization
