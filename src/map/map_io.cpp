@@ -95,19 +95,23 @@ MapFile readMapFile(const std::string& yaml_file) {
 
 /// 8 bits per channel, with alpha where the image has it.
 cv::Mat readImage(const std::string& file) {
-  if (!std::ifstream(file)) throw std::invalid_argument("image '" + file + "' cannot be opened");
+  using Reason = MapFileError::Reason;
+  if (!std::ifstream(file)) {
+    throw MapFileError(Reason::kMissing, "image '" + file + "' cannot be opened");
+  }
   cv::Mat image;
   try {
     image = cv::imread(file, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
-    throw std::invalid_argument("image '" + file + "': " + error.err);
+    throw MapFileError(Reason::kImage, "image '" + file + "': " + error.err);
   }
   if (image.empty()) {
-    throw std::invalid_argument("image '" + file + "' is no image, expected PGM, PNG or the like");
+    throw MapFileError(Reason::kImage,
+                       "image '" + file + "' is no image, expected PGM, PNG or the like");
   }
   if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
   if (image.depth() != CV_8U) {
-    throw std::invalid_argument("image '" + file + "': expected 8 or 16 bits per channel");
+    throw MapFileError(Reason::kImage, "image '" + file + "': expected 8 or 16 bits per channel");
   }
   return image;
 }
@@ -164,15 +168,18 @@ void writeFile(const std::string& file, const std::string& contents) {
 }  // namespace
 
 OccupancyGrid loadMap(const std::string& yaml_file) {
+  const std::string about = "map file '" + yaml_file + "'";
   try {
     const MapFile map = readMapFile(yaml_file);
     const cv::Mat image = readImage(besides(yaml_file, map.image));
     return OccupancyGrid(Lattice(image.cols, image.rows, map.resolution, map.origin),
                          toCells(image, map));
   } catch (const YAML::BadFile&) {
-    throw std::invalid_argument("map file '" + yaml_file + "' cannot be opened");
+    throw MapFileError(MapFileError::Reason::kMissing, about + " cannot be opened");
+  } catch (const MapFileError& error) {
+    throw MapFileError(error.reason(), about + ": " + error.what());
   } catch (const std::exception& error) {
-    throw std::invalid_argument("map file '" + yaml_file + "': " + error.what());
+    throw MapFileError(MapFileError::Reason::kMetadata, about + ": " + error.what());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "adaptive_localization/rng.hpp"
@@ -31,7 +32,8 @@ class MapIo : public ::testing::Test {
   std::string errorOf(const std::string& yaml) {
     try {
       load(yaml);
-    } catch (const std::invalid_argument& error) {
+    } catch (const MapFileError& error) {
+      reason_ = error.reason();
       return error.what();
     }
     return "no error";
@@ -45,6 +47,7 @@ class MapIo : public ::testing::Test {
   }
 
   TempFolder folder_;
+  std::optional<MapFileError::Reason> reason_;
 };
 
 TEST_F(MapIo, TrinaryMapIsReadBottomRowFirst) {
@@ -122,8 +125,10 @@ TEST_F(MapIo, SavingNamesTheFileThatCannotBeWritten) {
 
 TEST_F(MapIo, ErrorsNameFileKeyValueAndExpectation) {
   EXPECT_THAT(errorOf(kYaml), HasSubstr("map.pgm' cannot be opened"));
+  EXPECT_EQ(reason_, MapFileError::Reason::kMissing);
   folder_.write("map.pgm", "this is no image");
   EXPECT_THAT(errorOf(kYaml), HasSubstr("map.pgm' is no image"));
+  EXPECT_EQ(reason_, MapFileError::Reason::kImage);
   folder_.write("map.pgm", "P5\n1000000 1000000\n255\n");
   EXPECT_THAT(errorOf(kYaml), HasSubstr("map.pgm'"));
   folder_.write("map.pgm", kImage);
@@ -142,6 +147,7 @@ TEST_F(MapIo, ErrorsNameFileKeyValueAndExpectation) {
   EXPECT_THAT(errorOf(with("occupied_thresh", "65")), HasSubstr("'occupied_thresh': got '65'"));
   EXPECT_THAT(errorOf(std::string(kYaml) + "mode: fast\n"), HasSubstr("trinary, scale or raw"));
   EXPECT_THAT(errorOf("just a sentence"), HasSubstr("map.yaml': got no YAML map"));
+  EXPECT_EQ(reason_, MapFileError::Reason::kMetadata);
   EXPECT_THAT(errorOf("image: [unclosed"), HasSubstr("map.yaml': yaml-cpp: error at line 1"));
 }
 
@@ -149,7 +155,7 @@ TEST(LoadMap, MissingFileIsNamed) {
   try {
     loadMap("/no/such/map.yaml");
     FAIL() << "no error";
-  } catch (const std::invalid_argument& error) {
+  } catch (const MapFileError& error) {
     EXPECT_STREQ(error.what(), "map file '/no/such/map.yaml' cannot be opened");
   }
 }
@@ -167,7 +173,7 @@ TEST_F(MapIo, BrokenYamlGivesAMapOrAnError) {
     }
     try {
       EXPECT_EQ(load(yaml).cells().size(), 6u);
-    } catch (const std::invalid_argument& error) {
+    } catch (const MapFileError& error) {
       EXPECT_THAT(error.what(), HasSubstr("map.yaml"));
       ++rejected;
     }
