@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../ros/map_publisher.hpp"
+
+#include <cstdlib>
+#include <exception>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "map_publisher");
+  if (argc != 2) {
+    ROS_FATAL("usage: map_publisher MAP.yaml");
+    return EXIT_FAILURE;
+  }
+  try {
+    adaptive_localization::MapPublisher publisher(ros::NodeHandle(), ros::NodeHandle("~"),
+                                                        argv[1]);
+    ros::spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

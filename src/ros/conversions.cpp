@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversions.hpp"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& message) {
+  const Eigen::Quaterniond rotation(message.w, message.x, message.y, message.z);
+  return rotation.norm() < 1e-6 ? Eigen::Quaterniond::Identity() : rotation.normalized();
+}
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& rotation) {
+  geometry_msgs::Quaternion message;
+  message.x = rotation.x();
+  message.y = rotation.y();
+  message.z = rotation.z();
+  message.w = rotation.w();
+  return message;
+}
+
+geometry_msgs::Quaternion yawMessage(double yaw) {
+  return toMessage(Eigen::Quaterniond(std::cos(yaw / 2.0), 0.0, 0.0, std::sin(yaw / 2.0)));
+}
+
+double yawOf(const geometry_msgs::Quaternion& message) {
+  const Eigen::Quaterniond q = toQuaternion(message);
+  return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
+                    1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+int toSize(std::uint32_t cells, const char* name) {
+  if (cells > static_cast<std::uint32_t>(std::numeric_limits<int>::max())) {
+    throw std::invalid_argument(std::string("map ") + name + ": got " + std::to_string(cells) +
+                                " cells, expected fewer");
+  }
+  return static_cast<int>(cells);
+}
+
+// Where (x, y, yaw) stand in a covariance over (x, y, z, roll, pitch, yaw).
+constexpr std::array<std::size_t, 3> kAxes{0, 1, 5};
+
+}  // namespace
+
+std::string withoutLeadingSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
+  LaserScan scan;
+  scan.stamp = message.header.stamp.toSec();
+  scan.angle_min = message.angle_min;
+  scan.angle_increment = message.angle_increment;
+  scan.time_increment = message.time_increment;
+  scan.range_min = message.range_min;
+  scan.range_max = message.range_max;
+  scan.ranges = message.ranges;
+  return scan;
+}
+
+OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message) {
+  const Lattice lattice(toSize(message.info.width, "width"), toSize(message.info.height, "height"),
+                        static_cast<double>(message.info.resolution), toPose2(message.info.origin));
+  return OccupancyGrid(lattice, message.data);
+}
+
+nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid) {
+  nav_msgs::OccupancyGrid message;
+  message.info.width = static_cast<std::uint32_t>(grid.lattice().width());
+  message.info.height = static_cast<std::uint32_t>(grid.lattice().height());
+  message.info.resolution = static_cast<float>(grid.lattice().resolution());
+  message.info.origin = toPoseMessage(grid.lattice().origin());
+  message.data = grid.cells();
+  return message;
+}
+
+Pose2 toPose2(const geometry_msgs::Pose& message) {
+  return {message.position.x, message.position.y, yawOf(message.orientation)};
+}
+
+Pose2 toPose2(const geometry_msgs::Transform& message) {
+  return {message.translation.x, message.translation.y, yawOf(message.rotation)};
+}
+
+geometry_msgs::Pose toPoseMessage(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation = yawMessage(pose.theta);
+  return message;
+}
+
+geometry_msgs::Transform toTransformMessage(const Pose2& pose) {
+  geometry_msgs::Transform message;
+  message.translation.x = pose.x;
+  message.translation.y = pose.y;
+  message.rotation = yawMessage(pose.theta);
+  return message;
+}
+
+geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform) {
+  geometry_msgs::Transform message;
+  message.translation.x = transform.translation().x();
+  message.translation.y = transform.translation().y();
+  message.translation.z = transform.translation().z();
+  message.rotation = toMessage(Eigen::Quaterniond(transform.rotation()));
+  return message;
+}
+
+LaserMount toMount(const geometry_msgs::Transform& message) {
+  LaserMount mount;
+  mount.position = {message.translation.x, message.translation.y};
+  mount.axes = toQuaternion(message.rotation).toRotationMatrix().topLeftCorner<2, 2>();
+  return mount;
+}
+
+Gaussian2 toGaussian(const geometry_msgs::PoseWithCovariance& message) {
+  Gaussian2 gaussian;
+  gaussian.mean = toPose2(message.pose);
+  const auto& covariance = message.covariance;
+  gaussian.covariance << covariance[0], covariance[1], 0.0,  //
+      covariance[6], covariance[7], 0.0,                     //
+      0.0, 0.0, covariance[35];
+  return gaussian;
+}
+
+geometry_msgs::PoseWithCovariance toMessage(const Pose2& pose, const Eigen::Matrix3d& covariance) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose = toPoseMessage(pose);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      message.covariance[6 * kAxes[row] + kAxes[column]] =
+          covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+    }
+  }
+  return message;
+}
+
+geometry_msgs::PoseArray toMessage(const Particles& particles) {
+  geometry_msgs::PoseArray message;
+  message.poses.reserve(static_cast<std::size_t>(particles.size()));
+  for (Eigen::Index i = 0; i < particles.size(); ++i) {
+    message.poses.push_back(toPoseMessage(particles.pose(i)));
+  }
+  return message;
+}
+
+}  // namespace adaptive_localization

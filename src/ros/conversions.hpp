@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/PoseWithCovariance.h>
+#include <geometry_msgs/Transform.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// tf2's frames have no leading slash; some drivers still send one.
+std::string withoutLeadingSlash(const std::string& frame);
+
+LaserScan toLaserScan(const sensor_msgs::LaserScan& message);
+
+/// Throws std::invalid_argument for a size, resolution or origin that makes no map.
+OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message);
+nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid);
+
+/// x, y and yaw. A quaternion of zeros, as an unfilled message has, is no rotation.
+Pose2 toPose2(const geometry_msgs::Pose& message);
+Pose2 toPose2(const geometry_msgs::Transform& message);
+geometry_msgs::Pose toPoseMessage(const Pose2& pose);
+geometry_msgs::Transform toTransformMessage(const Pose2& pose);
+geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
+
+/// How a laser sits, seen from above, from the transform of its frame to base.
+LaserMount toMount(const geometry_msgs::Transform& message);
+
+/// From the x, y and yaw blocks of a 6 x 6 covariance over (x, y, z, roll, pitch, yaw), as amcl
+/// reads it: entries 0, 1, 6, 7 and 35.
+Gaussian2 toGaussian(const geometry_msgs::PoseWithCovariance& message);
+geometry_msgs::PoseWithCovariance toMessage(const Pose2& pose, const Eigen::Matrix3d& covariance);
+
+geometry_msgs::PoseArray toMessage(const Particles& particles);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimate_publisher.hpp"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <std_msgs/Float32.h>
+
+#include <cstdio>
+
+#include "conversions.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+DiagnosticStatus::_level_type levelOf(Status status) {
+  if (status == Status::kTracking) return DiagnosticStatus::OK;
+  return status == Status::kLost ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
+}
+
+void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
+  diagnostic_msgs::KeyValue pair;
+  pair.key = key;
+  pair.value = value;
+  status.values.push_back(pair);
+}
+
+template <class... Values>
+std::string print(const char* format, Values... values) {
+  char text[128];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+constexpr std::size_t kModesShown = 5;
+
+}  // namespace
+
+EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node,
+                                     const NodeOptions& options)
+    : options_(options),
+      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true)),
+      cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
+      confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
+      status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {}
+
+void EstimatePublisher::publish(const Localization& answer, const Particles& particles,
+                                const ros::Time& stamp) {
+  if (answer.updated) {
+    geometry_msgs::PoseWithCovarianceStamped pose;
+    pose.header.stamp = stamp;
+    pose.header.frame_id = options_.global_frame_id;
+    pose.pose = toMessage(answer.T_map_base, answer.estimate.covariance);
+    pose_.publish(pose);
+
+    geometry_msgs::PoseArray cloud = toMessage(particles);
+    cloud.header.stamp = ros::Time::now();
+    cloud.header.frame_id = options_.global_frame_id;
+    cloud_.publish(cloud);
+  }
+  if (options_.tf_broadcast) sendTransform(answer.T_map_odom, stamp);
+  std_msgs::Float32 confidence;
+  confidence.data = static_cast<float>(answer.confidence);
+  confidence_.publish(confidence);
+}
+
+void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& stamp) {
+  if (stamp == sent_) return;  // tf complains about a stamp given twice; two lasers may share one
+  sent_ = stamp;
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp + ros::Duration(options_.transform_tolerance);
+  transform.header.frame_id = options_.global_frame_id;
+  transform.child_frame_id = options_.odom_frame_id;
+  transform.transform = toTransformMessage(T_map_odom);
+  broadcaster_.sendTransform(transform);
+}
+
+void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index particles,
+                                      double ms_per_update, const ScanSource::Counts& scans) {
+  DiagnosticStatus status;
+  status.name = ros::this_node::getName().substr(1) + ": localization";
+  status.hardware_id = "none";
+  status.level = levelOf(answer.status);
+  status.message = toText(answer.status);
+  add(status, "confidence", print("%.3f", answer.confidence));
+  const auto& modes = answer.estimate.modes;
+  add(status, "modes", std::to_string(modes.size()));
+  for (std::size_t i = 0; i < std::min(modes.size(), kModesShown); ++i) {
+    const Pose2& pose = modes[i].T_map_base;
+    add(status, "mode " + std::to_string(i + 1),
+        print("mass %.3f at x %.3f m, y %.3f m, yaw %.1f deg", modes[i].mass, pose.x, pose.y,
+              pose.theta * 180.0 / kPi));
+  }
+  add(status, "particles", std::to_string(particles));
+  add(status, "ms per update", print("%.3f", ms_per_update));
+  add(status, "scans received", std::to_string(scans.received));
+  add(status, "scans used", std::to_string(scans.used));
+  add(status, "scans dropped", std::to_string(scans.dropped));
+  status_.publish(status);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include "adaptive_localization/localizer.hpp"
+#include "node_options.hpp"
+#include "scan_source.hpp"
+
+namespace adaptive_localization {
+
+/// What the node tells the world: amcl_pose, particlecloud, map -> odom, ~confidence and ~status.
+class EstimatePublisher {
+ public:
+  EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node, const NodeOptions& options);
+
+  /// After a scan was used. The transform goes out every time, pose and cloud only after an update.
+  void publish(const Localization& answer, const Particles& particles, const ros::Time& stamp);
+
+  /// The status in words with its figures. `ms_per_update` is that of the last update.
+  void publishStatus(const Localization& answer, Eigen::Index particles, double ms_per_update,
+                     const ScanSource::Counts& scans);
+
+ private:
+  void sendTransform(const Pose2& T_map_odom, const ros::Time& stamp);
+
+  NodeOptions options_;
+  ros::Publisher pose_;
+  ros::Publisher cloud_;
+  ros::Publisher confidence_;
+  ros::Publisher status_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Time sent_;
+};
+
+}  // namespace adaptive_localization

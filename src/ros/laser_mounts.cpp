@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "laser_mounts.hpp"
+
+#include <ros/console.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "conversions.hpp"
+#include "urdf_mount.hpp"
+
+namespace adaptive_localization {
+
+LaserMounts::LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame)
+    : node_(node), tf_(tf), base_frame_(std::move(base_frame)) {}
+
+LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
+  Laser& laser = lasers_[frame];
+  if (laser.known) return Knowledge::kKnown;
+  if (laser.first_seen.isZero()) laser.first_seen = ros::WallTime::now();
+  if (tf_.canTransform(base_frame_, frame, ros::Time(0))) {
+    laser.known = true;
+    say(frame, "tf");
+    return Knowledge::kKnown;
+  }
+  // tf's latched static transforms may still be on their way.
+  if (ros::WallTime::now() - laser.first_seen < ros::WallDuration(1.0)) return Knowledge::kNotYet;
+  if (!std::exchange(laser.urdf_asked, true) && takeFromUrdf(frame)) {
+    laser.known = true;
+    say(frame, "robot_description, as tf does not have it");
+    return Knowledge::kKnown;
+  }
+  return Knowledge::kUnknown;
+}
+
+bool LaserMounts::takeFromUrdf(const std::string& frame) {
+  std::string key, urdf;
+  if (!node_.searchParam("robot_description", key) || !node_.getParam(key, urdf)) return false;
+  geometry_msgs::TransformStamped transform;
+  try {
+    transform.transform = toTransformMessage(mountFromUrdf(urdf, base_frame_, frame));
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN("No mount for laser '%s': %s", frame.c_str(), error.what());
+    return false;
+  }
+  transform.header.frame_id = base_frame_;
+  transform.child_frame_id = frame;
+  return tf_.setTransform(transform, "robot_description", true);
+}
+
+void LaserMounts::say(const std::string& frame, const char* source) const {
+  std::string why;
+  if (const auto mount = at(frame, ros::Time(0), &why)) {
+    ROS_INFO("Laser '%s' sits at (%.3f, %.3f) m, %.1f deg on '%s': from %s", frame.c_str(),
+             mount->position.x(), mount->position.y(),
+             std::atan2(mount->axes(1, 0), mount->axes(0, 0)) * 180.0 / kPi, base_frame_.c_str(),
+             source);
+  }
+}
+
+std::optional<LaserMount> LaserMounts::at(const std::string& frame, const ros::Time& stamp,
+                                          std::string* why) const {
+  try {
+    const bool then = tf_.canTransform(base_frame_, frame, stamp);
+    return toMount(tf_.lookupTransform(base_frame_, frame, then ? stamp : ros::Time(0)).transform);
+  } catch (const tf2::TransformException& error) {
+    *why = error.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tf2_ros/buffer.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// Where the lasers sit on the robot. tf says so; for a frame that tf does not know, the URDF in
+/// robot_description does, through its fixed joints. Says once per laser which of the two it was.
+class LaserMounts {
+ public:
+  LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame);
+
+  enum class Knowledge { kKnown, kNotYet, kUnknown };
+
+  /// Whether tf can place this frame on the robot. Once tf has failed to for a second, a mount
+  /// found in robot_description is put into this node's tf buffer, so that all lookups succeed.
+  Knowledge lookFor(const std::string& frame);
+
+  /// The mount at a stamp, so that a laser may move. Nothing, and why, where tf cannot tell.
+  std::optional<LaserMount> at(const std::string& frame, const ros::Time& stamp,
+                               std::string* why) const;
+
+ private:
+  struct Laser {
+    ros::WallTime first_seen;
+    bool known{false};
+    bool urdf_asked{false};
+  };
+
+  bool takeFromUrdf(const std::string& frame);
+  void say(const std::string& frame, const char* source) const;
+
+  ros::NodeHandle node_;
+  tf2_ros::Buffer& tf_;
+  std::string base_frame_;
+  std::map<std::string, Laser> lasers_;
+};
+
+}  // namespace adaptive_localization

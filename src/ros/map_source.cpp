@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "map_source.hpp"
+
+#include <nav_msgs/GetMap.h>
+
+#include <utility>
+
+namespace adaptive_localization {
+
+MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback)
+    : callback_(std::move(callback)), first_only_(first_only) {
+  if (use_topic) {
+    subscriber_ = node.subscribe("map", 1, &MapSource::onTopic, this);
+    ROS_INFO("Waiting for a map on %s", subscriber_.getTopic().c_str());
+    return;
+  }
+  service_ = node.serviceClient<nav_msgs::GetMap>("static_map");
+  timer_ =
+      node.createWallTimer(ros::WallDuration(0.5), [this](const ros::WallTimerEvent&) { ask(); });
+  ROS_INFO("Waiting for a map from service %s", service_.getService().c_str());
+}
+
+void MapSource::onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map) {
+  if (callback_(*map) && first_only_) subscriber_.shutdown();
+}
+
+void MapSource::ask() {
+  nav_msgs::GetMap request;
+  if (service_.exists() && service_.call(request)) {
+    if (callback_(request.response.map)) timer_.stop();
+  } else {
+    ROS_WARN_THROTTLE(10.0, "Service %s gives no map, trying again", service_.getService().c_str());
+  }
+}
+
+}  // namespace adaptive_localization

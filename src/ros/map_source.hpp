@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+
+#include <functional>
+
+namespace adaptive_localization {
+
+/// Where the map comes from: each one on topic 'map', or one from service 'static_map', asked for
+/// until it answers with a map that can be used, without holding up anything else.
+class MapSource {
+ public:
+  using Callback = std::function<bool(const nav_msgs::OccupancyGrid&)>;  // whether it can be used
+
+  MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback);
+
+ private:
+  void onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map);
+  void ask();
+
+  Callback callback_;
+  bool first_only_;
+  ros::Subscriber subscriber_;
+  ros::ServiceClient service_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_keeper.hpp"
+
+#include <cmath>
+
+namespace adaptive_localization {
+
+PoseKeeper::PoseKeeper(const ros::NodeHandle& private_node, double rate)
+    : node_(private_node), rate_(rate) {}
+
+void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
+  if (rate_ <= 0.0) return;
+  pose_ = pose;
+  if (std::abs((stamp - written_).toSec()) < 1.0 / rate_) return;  // also when time jumped back
+  written_ = stamp;
+  write();
+}
+
+void PoseKeeper::write() const {
+  if (!pose_) return;
+  node_.setParam("initial_pose_x", pose_->mean.x);
+  node_.setParam("initial_pose_y", pose_->mean.y);
+  node_.setParam("initial_pose_a", pose_->mean.theta);
+  node_.setParam("initial_cov_xx", pose_->covariance(0, 0));
+  node_.setParam("initial_cov_yy", pose_->covariance(1, 1));
+  node_.setParam("initial_cov_aa", pose_->covariance(2, 2));
+}
+
+}  // namespace adaptive_localization

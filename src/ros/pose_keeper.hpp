@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <optional>
+
+#include "adaptive_localization/filter.hpp"
+
+namespace adaptive_localization {
+
+/// Keeps the pose on the parameter server, in initial_pose_* and initial_cov_*, so that a node
+/// started again begins where this one ended.
+class PoseKeeper {
+ public:
+  /// `rate` in Hz; not above 0: keeps nothing.
+  PoseKeeper(const ros::NodeHandle& private_node, double rate);
+
+  /// Takes a new pose and writes it when it is time.
+  void keep(const Gaussian2& pose, const ros::Time& stamp);
+
+  /// Writes the last pose taken, if any.
+  void write() const;
+
+ private:
+  ros::NodeHandle node_;
+  double rate_;
+  std::optional<Gaussian2> pose_;
+  ros::Time written_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include "adaptive_localization/options.hpp"
+
+namespace adaptive_localization {
+
+/// All parameters in a node handle's namespace. Lists and nested ones, which no option has, are
+/// warned about and left out, and so is an initial pose or covariance that is NaN, as amcl saved
+/// when it was stopped early.
+Parameters readParameters(const ros::NodeHandle& node);
+
+/// Says which given parameters have no effect: amcl's own that are not used in one line, others,
+/// perhaps misspelt, as warnings by name.
+void reportUnknown(const std::vector<std::string>& keys);
+
+}  // namespace adaptive_localization

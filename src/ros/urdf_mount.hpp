@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+namespace adaptive_localization {
+
+/// Where a sensor's link sits on the robot, T_base_sensor, along the fixed joints of a URDF.
+/// Throws std::invalid_argument saying what is in the way: no URDF, no such link, a joint that
+/// moves.
+Eigen::Isometry3d mountFromUrdf(const std::string& urdf, const std::string& base_frame,
+                                const std::string& sensor_frame);
+
+}  // namespace adaptive_localization
