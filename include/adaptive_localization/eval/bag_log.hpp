@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adaptive_localization/eval/log.hpp"
+
+namespace adaptive_localization {
+
+/// Reads a rosbag. Odometry at each scan's stamp and the laser's mount come from /tf and
+/// /tf_static; where /tf has no odometry, from a nav_msgs/Odometry topic, also when
+/// request.odom_topic names it. Static transforms count whenever they were recorded. The reference
+/// is a topic of PoseStamped, PoseWithCovarianceStamped or Odometry. What can be read of a bag that
+/// was cut off is read. Throws std::invalid_argument naming the bag and what is wrong with it.
+Log readBagLog(const LogRequest& request);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/eval/trajectory.hpp"
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// One scan of a recording with all that was known at its stamp.
+struct LogScan {
+  LaserScan scan;
+  LaserMount mount;
+  Pose2 T_odom_base;
+  std::optional<Pose2> T_map_base;  // the reference, where the recording has one
+};
+
+/// A recording as plain values, in the order in which it was recorded.
+struct Log {
+  std::vector<LogScan> scans;
+  std::vector<std::string> warnings;  // what was wrong with the recording, in words
+  int skipped{0};                     // broken lines, scans without odometry
+};
+
+/// Names of the frames in a bag; amcl's keys.
+struct FrameOptions {
+  std::string odom_frame_id{"odom"};
+  std::string base_frame_id{"base_link"};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
+    option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
+  }
+};
+
+/// What to take from a recording.
+struct LogRequest {
+  std::string file;
+  double begin{-std::numeric_limits<double>::infinity()};  // stamps of the log, s
+  double end{std::numeric_limits<double>::infinity()};
+  std::string scan_topic;   // empty: the only one with laser scans
+  std::string odom_topic;   // empty: /tf, else the only one with odometry
+  std::string truth_topic;  // empty: no reference from the bag
+  FrameOptions frames;
+};
+
+/// Whether a stamp lies within begin and end, to the microsecond that text gives them with.
+bool isWanted(double stamp, const LogRequest& request);
+
+/// Reads a rosbag (*.bag) or a CARMEN log (anything else; *.gz and *.bz2 are unpacked).
+/// Throws std::invalid_argument naming the file and what is wrong with it, also when no scan is
+/// left.
+Log readLog(const LogRequest& request);
+
+/// Sets the reference of each scan from a trajectory. Within a gap of more than a second there is
+/// none.
+void setReference(const Trajectory& reference, Log& log);
+
+}  // namespace adaptive_localization

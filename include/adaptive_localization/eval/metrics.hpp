@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/eval/run.hpp"
+
+namespace adaptive_localization {
+
+/// Further off than this the robot counts as lost.
+constexpr double kLostDistance = 0.5;                // m
+constexpr double kLostHeading = 20.0 * kPi / 180.0;  // rad
+
+/// Errors of the estimate against the reference, at every scan that has one, without any alignment
+/// of the trajectories: the absolute trajectory error of Sturm et al. (2012) in a common frame.
+struct ErrorMetrics {
+  double ate_rmse_m{0.0};
+  double ate_median_m{0.0};
+  double ate_p95_m{0.0};
+  double ate_max_m{0.0};
+  double heading_rmse_deg{0.0};
+  double final_error_m{0.0};
+  double final_heading_error_deg{0.0};
+  std::optional<double> converged_at_s;  // after the first scan; from there never lost again
+  double lost_share{0.0};                // of the scans with a reference
+};
+
+/// All numbers of one run.
+struct Metrics {
+  int scans{0};
+  int updates{0};
+  double duration_s{0.0};
+  double path_m{0.0};  // of the reference; without one, of the odometry
+  double wall_s{0.0};
+  double cpu_s{0.0};
+  double peak_rss_mb{0.0};
+  double update_ms_median{0.0}, update_ms_p99{0.0}, update_ms_max{0.0};  // of scans that updated
+  double particles_mean{0.0};
+  int particles_max{0};
+  double confidence_mean{0.0};
+  std::optional<ErrorMetrics> errors;  // none without a reference
+};
+
+Metrics measure(const Run& run);
+
+/// The value below which a share of the values lies, interpolated linearly between ranks (type 7 of
+/// Hyndman and Fan 1996, numpy's default); 0 for no values.
+double quantile(std::vector<double> values, double share);
+
+}  // namespace adaptive_localization

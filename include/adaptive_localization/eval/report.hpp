@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "adaptive_localization/eval/metrics.hpp"
+
+namespace adaptive_localization {
+
+/// What a run was made with.
+struct RunDescription {
+  std::string log, map, filter;
+  int seed{1};
+  int threads{1};
+};
+
+/// Description and numbers of a run; the errors are null without a reference.
+nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& metrics);
+
+/// The same in one line for people.
+std::string summarize(const RunDescription& description, const Metrics& metrics);
+
+/// Throws std::runtime_error naming the file that could not be written.
+void saveJson(const nlohmann::ordered_json& json, const std::string& file);
+
+}  // namespace adaptive_localization

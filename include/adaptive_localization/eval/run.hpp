@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/eval/log.hpp"
+#include "adaptive_localization/localizer.hpp"
+
+namespace adaptive_localization {
+
+/// What the localizer answered to one scan.
+struct RunStep {
+  double stamp{0.0};  // s
+  Pose2 T_odom_base;
+  Pose2 T_map_base;  // the estimate
+  std::optional<Pose2> T_map_base_reference;
+  double confidence{0.0};
+  Status status{Status::kUninitialised};
+  bool updated{false};
+  double update_ms{0.0};  // spent on this scan
+  int particles{0};
+};
+
+/// A whole recording driven through the localizer.
+struct Run {
+  std::vector<RunStep> steps;
+  std::vector<std::string> warnings;
+  double wall_s{0.0};       // from the first scan to the last
+  double cpu_s{0.0};        // the same, all threads
+  double peak_rss_mb{0.0};  // of the whole process
+};
+
+/// Called after each scan with the number of scans done.
+using RunProgress = std::function<void(std::size_t)>;
+
+/// Drives the localizer, which has its prior already, through all scans of the log, as fast as it
+/// goes. A scan that cannot be used is left out, with a warning.
+Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress = {});
+
+}  // namespace adaptive_localization

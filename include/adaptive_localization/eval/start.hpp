@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "adaptive_localization/eval/log.hpp"
+#include "adaptive_localization/filter.hpp"
+
+namespace adaptive_localization {
+
+/// How sure the start pose of a replay is; amcl's keys.
+struct StartOptions {
+  double initial_cov_xx{0.2 * 0.2};
+  double initial_cov_yy{0.2 * 0.2};
+  double initial_cov_aa{0.14 * 0.14};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("initial_cov_xx", initial_cov_xx, kNotNegative, "m^2", "Variance of the start in x.");
+    option("initial_cov_yy", initial_cov_yy, kNotNegative, "m^2", "Variance of the start in y.");
+    option("initial_cov_aa", initial_cov_aa, kNotNegative, "rad^2",
+           "Variance of the start's heading.");
+  }
+};
+
+/// The prior that `start` asks for: "truth" (the reference pose of the first scan; scans before the
+/// reference begins are taken out of the log), "X,Y,YAW" in metres and radians, "global", or empty
+/// for truth where the log has a reference and global elsewhere.
+/// Throws std::invalid_argument saying what was expected.
+Prior startPrior(const std::string& start, const StartOptions& options, Log& log);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/bag_log.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "bag_log_frames.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using Types = std::set<std::string>;
+using Topics = std::vector<std::string>;
+const Types kScanTypes{"sensor_msgs/LaserScan"};
+const Types kOdometryTypes{"nav_msgs/Odometry"};
+const Types kReferenceTypes{"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped",
+                            "nav_msgs/Odometry"};
+
+std::string join(const std::set<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+StampedPose toStampedPose(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+  const auto& q = pose.orientation;
+  const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  return {header.stamp.toSec(), {pose.position.x, pose.position.y, wrapAngle(yaw)}};
+}
+
+std::optional<StampedPose> toStampedPose(const rosbag::MessageInstance& message) {
+  std::optional<StampedPose> pose;
+  if (const auto plain = message.instantiate<geometry_msgs::PoseStamped>()) {
+    pose = toStampedPose(plain->header, plain->pose);
+  } else if (const auto wide = message.instantiate<geometry_msgs::PoseWithCovarianceStamped>()) {
+    pose = toStampedPose(wide->header, wide->pose.pose);
+  } else if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
+    pose = toStampedPose(odometry->header, odometry->pose.pose);
+  }
+  return pose && isFinite(pose->pose) ? pose : std::nullopt;
+}
+
+class BagReader {
+ public:
+  explicit BagReader(const LogRequest& request) : request_(request), frames_(request.frames) {
+    try {
+      bag_.open(request.file, rosbag::bagmode::Read);
+    } catch (const rosbag::BagException& error) {
+      fail(std::string(error.what()) +
+           "; cut off or never closed? 'rosbag reindex' repairs what was recorded");
+    }
+    rosbag::View all(bag_);
+    for (const auto* connection : all.getConnections()) {
+      topics_[connection->topic] = connection->datatype;
+    }
+  }
+
+  Log read() {
+    scan_topic_ = choose(request_.scan_topic, kScanTypes, "--scan-topic", "laser scans");
+    if (!request_.odom_topic.empty() || topicsOf(kOdometryTypes).size() == 1) {
+      odom_topic_ = choose(request_.odom_topic, kOdometryTypes, "--odom-topic", "odometry");
+    }
+    if (!request_.truth_topic.empty()) {
+      truth_topic_ = choose(request_.truth_topic, kReferenceTypes, "--truth-topic", "poses");
+    }
+    readStaticTransforms();
+    readMessages();
+    takeScans();
+    if (!truth_topic_.empty()) setReference(Trajectory(std::move(reference_)), log_);
+    return std::move(log_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::invalid_argument("bag '" + request_.file + "': " + what);
+  }
+
+  std::set<std::string> topicsOf(const Types& types) const {
+    std::set<std::string> names;
+    for (const auto& [topic, type] : topics_) {
+      if (types.count(type)) names.insert(topic);
+    }
+    return names;
+  }
+
+  std::string choose(const std::string& wanted, const Types& types, const std::string& argument,
+                     const std::string& what) const {
+    const auto candidates = topicsOf(types);
+    for (const auto& topic : candidates) {
+      if (!wanted.empty() && withoutSlash(topic) == withoutSlash(wanted)) return topic;
+    }
+    if (wanted.empty() && candidates.size() == 1) return *candidates.begin();
+    if (wanted.empty() && candidates.empty()) fail("has no topic with " + what);
+    if (wanted.empty()) fail("name one topic with " + argument + ": " + join(candidates));
+    fail(argument + " '" + wanted + "': expected a topic with " + what +
+         " of this bag: " + join(candidates));
+  }
+
+  void readStaticTransforms() {
+    rosbag::View view(bag_, rosbag::TopicQuery(Topics{"/tf_static", "tf_static"}));
+    forEach(view, [this](const rosbag::MessageInstance& message) {
+      if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) frames_.add(*tf, true);
+    });
+  }
+
+  void readMessages() {
+    Topics topics{"/tf", "tf", scan_topic_};
+    if (!odom_topic_.empty()) topics.push_back(odom_topic_);
+    if (!truth_topic_.empty()) topics.push_back(truth_topic_);
+    rosbag::View view(bag_, rosbag::TopicQuery(topics));
+    forEach(view, [this](const rosbag::MessageInstance& message) { take(message); });
+  }
+
+  void take(const rosbag::MessageInstance& message) {
+    const std::string& topic = message.getTopic();
+    if (topic == scan_topic_) {
+      const auto scan = message.instantiate<sensor_msgs::LaserScan>();
+      if (scan && isWanted(scan->header.stamp.toSec(), request_)) frames_.add(*scan);
+    } else if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) {
+      frames_.add(*tf, false);
+    }
+    if (topic != odom_topic_ && topic != truth_topic_) return;
+    if (const auto pose = toStampedPose(message)) {
+      if (topic == odom_topic_) odometry_.push_back(*pose);
+      if (topic == truth_topic_) reference_.push_back(*pose);
+    }
+  }
+
+  /// A message that cannot be decoded is skipped; a file that cannot be read on ends the reading.
+  template <class Action>
+  void forEach(rosbag::View& view, const Action& action) {
+    try {
+      for (const auto& message : view) {
+        try {
+          action(message);
+        } catch (const ros::serialization::StreamOverrunException&) {
+          ++log_.skipped;
+          log_.warnings.push_back("a message of " + message.getTopic() + " is broken; skipped");
+        }
+      }
+    } catch (const rosbag::BagException& error) {
+      log_.warnings.push_back(std::string("reading stopped early: ") + error.what());
+    }
+  }
+
+  void takeScans() {
+    auto placed = frames_.finish();
+    const bool has_tf_odometry =
+        std::any_of(placed.begin(), placed.end(), [](const auto& p) { return p.has_odometry; });
+    if (!request_.odom_topic.empty() || (!has_tf_odometry && !odom_topic_.empty())) {
+      const Trajectory odometry(std::move(odometry_));
+      for (auto& scan : placed) {
+        const auto T_odom_base = odometry.at(scan.scan.scan.stamp);
+        scan.has_odometry = T_odom_base.has_value();
+        scan.scan.T_odom_base = T_odom_base.value_or(Pose2{});
+      }
+    } else if (!has_tf_odometry && !placed.empty()) {
+      fail("has no odometry: no transform from '" + request_.frames.odom_frame_id + "' to '" +
+           request_.frames.base_frame_id +
+           "' at any scan; topics with odometry: " + join(topicsOf(kOdometryTypes)));
+    }
+    keepUsable(std::move(placed));
+  }
+
+  void keepUsable(std::vector<BagFrames::PlacedScan> placed) {
+    std::set<std::string> unknown_frames;
+    int without_odometry = 0;
+    for (auto& scan : placed) {
+      if (!scan.has_mount) unknown_frames.insert(scan.frame);
+      if (scan.has_odometry) log_.scans.push_back(std::move(scan.scan));
+      if (!scan.has_odometry) ++without_odometry;
+    }
+    if (!unknown_frames.empty()) {
+      log_.warnings.push_back("no transform from '" + request_.frames.base_frame_id +
+                              "' to the laser's frame " + join(unknown_frames) +
+                              "; the laser is taken to sit at the robot's centre");
+    }
+    if (without_odometry > 0) {
+      log_.skipped += without_odometry;
+      log_.warnings.push_back(std::to_string(without_odometry) +
+                              " scans skipped: no odometry at their stamps");
+    }
+  }
+
+  LogRequest request_;
+  rosbag::Bag bag_;
+  std::map<std::string, std::string> topics_;  // name to type
+  std::string scan_topic_, odom_topic_, truth_topic_;
+  BagFrames frames_;
+  std::vector<StampedPose> odometry_, reference_;
+  Log log_;
+};
+
+}  // namespace
+
+Log readBagLog(const LogRequest& request) {
+  return BagReader(request).read();
+}
+
+}  // namespace adaptive_localization

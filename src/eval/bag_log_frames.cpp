@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bag_log_frames.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+const ros::Duration kPatience(5.0);  // how much later a transform may be recorded than its scan
+const char kAuthority[] = "bag";
+
+LaserScan toPlainScan(const sensor_msgs::LaserScan& message) {
+  LaserScan scan;
+  scan.stamp = message.header.stamp.toSec();
+  scan.angle_min = message.angle_min;
+  scan.angle_increment = message.angle_increment;
+  scan.time_increment = message.time_increment;
+  scan.range_min = message.range_min;
+  scan.range_max = message.range_max;
+  scan.ranges = message.ranges;
+  return scan;
+}
+
+Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
+
+}  // namespace
+
+std::string withoutSlash(const std::string& name) {
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
+
+void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
+  for (auto transform : message.transforms) {
+    transform.header.frame_id = withoutSlash(transform.header.frame_id);
+    transform.child_frame_id = withoutSlash(transform.child_frame_id);
+    buffer_.setTransform(transform, kAuthority, is_static);
+    if (!is_static) newest_ = std::max(newest_, transform.header.stamp);
+  }
+  placeWaiting(false);
+}
+
+void BagFrames::add(const sensor_msgs::LaserScan& scan) {
+  waiting_.push_back(scan);
+  placeWaiting(false);
+}
+
+std::vector<BagFrames::PlacedScan> BagFrames::finish() {
+  placeWaiting(true);
+  for (auto& placed : placed_) {
+    if (!placed.has_mount) mount(placed, ros::Time(0));
+  }
+  return std::move(placed_);
+}
+
+void BagFrames::placeWaiting(bool is_last_chance) {
+  while (!waiting_.empty()) {
+    const auto& message = waiting_.front();
+    const ros::Time stamp = message.header.stamp;
+    const auto T_odom_base = odometryAt(stamp);
+    if (!T_odom_base && !is_last_chance && newest_ - stamp < kPatience) return;
+
+    PlacedScan placed;
+    placed.scan.scan = toPlainScan(message);
+    placed.frame = withoutSlash(message.header.frame_id);
+    placed.has_odometry = T_odom_base.has_value();
+    placed.scan.T_odom_base = T_odom_base.value_or(Pose2{});
+    mount(placed, stamp);
+    placed_.push_back(std::move(placed));
+    waiting_.pop_front();
+  }
+}
+
+std::optional<Pose2> BagFrames::odometryAt(const ros::Time& stamp) const {
+  const std::string odom = withoutSlash(frames_.odom_frame_id);
+  const std::string base = withoutSlash(frames_.base_frame_id);
+  if (!buffer_.canTransform(odom, base, stamp)) return {};
+  const auto transform = buffer_.lookupTransform(odom, base, stamp).transform;
+  const Eigen::Matrix3d axes = rotation(transform.rotation);
+  const Pose2 pose{transform.translation.x, transform.translation.y,
+                   std::atan2(axes(1, 0), axes(0, 0))};
+  return isFinite(pose) ? std::optional<Pose2>(pose) : std::nullopt;
+}
+
+void BagFrames::mount(PlacedScan& placed, const ros::Time& stamp) const {
+  const std::string base = withoutSlash(frames_.base_frame_id);
+  if (placed.frame == base) {
+    placed.has_mount = true;
+    return;
+  }
+  for (const ros::Time& instant : {stamp, ros::Time(0)}) {  // 0: the latest there is
+    if (!buffer_.canTransform(base, placed.frame, instant)) continue;
+    const auto transform = buffer_.lookupTransform(base, placed.frame, instant).transform;
+    placed.scan.mount.position = {transform.translation.x, transform.translation.y};
+    placed.scan.mount.axes = rotation(transform.rotation).topLeftCorner<2, 2>();
+    placed.has_mount = true;
+    return;
+  }
+}
+
+}  // namespace adaptive_localization

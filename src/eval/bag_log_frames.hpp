@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/eval/log.hpp"
+
+namespace adaptive_localization {
+
+/// Gives each scan of a bag its odometry and mount from the transforms around it, as the bag's
+/// messages come by in the order of recording.
+class BagFrames {
+ public:
+  struct PlacedScan {
+    LogScan scan;
+    std::string frame;
+    bool has_odometry{false};
+    bool has_mount{false};
+  };
+
+  explicit BagFrames(const FrameOptions& frames) : frames_(frames) {}
+
+  void add(const tf2_msgs::TFMessage& message, bool is_static);
+  void add(const sensor_msgs::LaserScan& scan);
+
+  /// All scans, in order; to be called once, after the last message.
+  std::vector<PlacedScan> finish();
+
+ private:
+  void placeWaiting(bool is_last_chance);
+  std::optional<Pose2> odometryAt(const ros::Time& stamp) const;
+  void mount(PlacedScan& placed, const ros::Time& stamp) const;
+
+  FrameOptions frames_;
+  tf2::BufferCore buffer_{ros::Duration(60.0)};
+  ros::Time newest_;  // stamp of all transforms so far
+  std::deque<sensor_msgs::LaserScan> waiting_;
+  std::vector<PlacedScan> placed_;
+};
+
+/// Frame and topic names are compared without the leading slash of ROS's early days.
+std::string withoutSlash(const std::string& name);
+
+}  // namespace adaptive_localization

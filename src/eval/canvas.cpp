@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr int kLongSide = 1400;        // px
+constexpr int kMargin = 84;            // px, for legend and caption
+constexpr double kSurroundings = 3.0;  // m shown around the poses
+constexpr double kNarrowest = 8.0;     // m shown at least
+constexpr double kFarthest = 1e6;      // m; a pose further off is not drawn
+constexpr int kFractionBits = 4;       // OpenCV's sub-pixel coordinates
+const cv::Scalar kBlack(0, 0, 0);
+
+struct Box {
+  double left{std::numeric_limits<double>::infinity()}, right{-left};
+  double bottom{std::numeric_limits<double>::infinity()}, top{-bottom};
+
+  void include(double x, double y) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    bottom = std::min(bottom, y);
+    top = std::max(top, y);
+  }
+  void grow(double by) { left -= by, right += by, bottom -= by, top += by; }
+};
+
+bool canBeDrawn(const Pose2& pose) {
+  return isFinite(pose) && std::abs(pose.x) < kFarthest && std::abs(pose.y) < kFarthest;
+}
+
+void putText(cv::Mat& image, const std::string& text, const cv::Point& at) {
+  cv::putText(image, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.55, kBlack, 1, cv::LINE_AA);
+}
+
+}  // namespace
+
+Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses) : margin_(kMargin) {
+  Box box;
+  for (const auto& pose : poses) {
+    if (canBeDrawn(pose)) box.include(pose.x, pose.y);
+  }
+  if (!std::isfinite(box.left)) {
+    const auto centre =
+        map.lattice().centre({map.lattice().width() / 2, map.lattice().height() / 2});
+    box.include(centre.x(), centre.y());
+  }
+  const double widest = std::max(box.right - box.left, box.top - box.bottom);
+  box.grow(std::max(kSurroundings, 0.5 * (kNarrowest - widest)));
+  left_ = box.left;
+  top_ = box.top;
+  pixels_per_metre_ = kLongSide / std::max(box.right - box.left, box.top - box.bottom);
+  const int width = static_cast<int>(std::ceil((box.right - box.left) * pixels_per_metre_));
+  const int height = static_cast<int>(std::ceil((box.top - box.bottom) * pixels_per_metre_));
+  image_ = cv::Mat(height + margin_, width, CV_8UC3, cv::Scalar(255, 255, 255));
+}
+
+cv::Point Canvas::pixel(const Eigen::Vector2d& point_map, int fraction_bits) const {
+  const double scale = 1 << fraction_bits;
+  return {static_cast<int>(std::lround((point_map.x() - left_) * pixels_per_metre_ * scale)),
+          static_cast<int>(
+              std::lround(((top_ - point_map.y()) * pixels_per_metre_ + margin_) * scale))};
+}
+
+void Canvas::drawMap(const OccupancyGrid& map) {
+  for (int row = margin_; row < image_.rows; ++row) {
+    for (int column = 0; column < image_.cols; ++column) {
+      const Eigen::Vector2d point(left_ + (column + 0.5) / pixels_per_metre_,
+                                  top_ - (row - margin_ + 0.5) / pixels_per_metre_);
+      const Cell cell = map.lattice().cellAt(point);
+      const unsigned char grey = map.isOccupied(cell) ? 0 : map.isFree(cell) ? 255 : 215;
+      image_.at<cv::Vec3b>(row, column) = {grey, grey, grey};
+    }
+  }
+}
+
+void Canvas::drawPath(const std::vector<Pose2>& poses, const cv::Scalar& colour, int thickness) {
+  std::vector<cv::Point> points;
+  for (const auto& pose : poses) {
+    if (canBeDrawn(pose)) points.push_back(pixel({pose.x, pose.y}, kFractionBits));
+  }
+  cv::polylines(image_, points, false, colour, thickness, cv::LINE_AA, kFractionBits);
+}
+
+void Canvas::drawDot(const Pose2& pose, const cv::Scalar& colour) {
+  if (canBeDrawn(pose)) cv::circle(image_, pixel({pose.x, pose.y}), 6, colour, -1, cv::LINE_AA);
+}
+
+void Canvas::drawScaleBar() {
+  double length = 1.0;  // m; the longest of 1, 2, 5, 10, ... below a fifth of the width
+  const double limit = 0.2 * image_.cols / pixels_per_metre_;
+  for (int i = 0; length * (i % 3 == 1 ? 2.5 : 2.0) <= limit; ++i) length *= i % 3 == 1 ? 2.5 : 2.0;
+  const int pixels = static_cast<int>(std::lround(length * pixels_per_metre_));
+  const cv::Point right(image_.cols - 20, margin_ - 18);
+  const cv::Point left(right.x - pixels, right.y);
+  cv::line(image_, left, right, kBlack, 2);
+  for (const auto& end : {left, right}) {
+    cv::line(image_, end - cv::Point(0, 6), end + cv::Point(0, 6), kBlack, 2);
+  }
+  putText(image_, cv::format("%.0f m", length), {left.x + pixels / 2 - 18, right.y - 12});
+}
+
+void Canvas::drawLegend(const std::vector<LegendRow>& rows,
+                        const std::vector<std::string>& caption) {
+  int y = 22;
+  for (const auto& row : rows) {
+    cv::line(image_, {14, y - 5}, {46, y - 5}, row.colour, 4, cv::LINE_AA);
+    putText(image_, row.text, {56, y});
+    y += 24;
+  }
+  y = 22;
+  for (const auto& line : caption) {
+    putText(image_, line, {180, y});
+    y += 24;
+  }
+}
+
+}  // namespace adaptive_localization

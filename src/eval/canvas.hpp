@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+
+namespace adaptive_localization {
+
+struct LegendRow {
+  std::string text;
+  cv::Scalar colour;
+};
+
+/// A picture of the part of a map that is in use, y up, with a margin above for the legend.
+class Canvas {
+ public:
+  /// Shows all of the poses and the known cells around them.
+  Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses);
+
+  void drawMap(const OccupancyGrid& map);
+  void drawPath(const std::vector<Pose2>& poses, const cv::Scalar& colour, int thickness);
+  void drawDot(const Pose2& pose, const cv::Scalar& colour);
+  void drawScaleBar();
+  void drawLegend(const std::vector<LegendRow>& rows, const std::vector<std::string>& caption);
+
+  const cv::Mat& image() const { return image_; }
+
+ private:
+  cv::Point pixel(const Eigen::Vector2d& point_map, int fraction_bits = 0) const;
+
+  double left_, top_;  // m, map frame, of the picture's upper left corner below the margin
+  double pixels_per_metre_;
+  int margin_;
+  cv::Mat image_;
+};
+
+}  // namespace adaptive_localization

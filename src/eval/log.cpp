@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/log.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "adaptive_localization/eval/bag_log.hpp"
+#include "adaptive_localization/eval/carmen_log.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kLongestGap = 1.0;      // s; a reference is not interpolated further
+constexpr double kStampRounding = 1e-6;  // s
+
+bool isBag(const std::string& file) {
+  const std::string ending = ".bag";
+  if (file.size() >= ending.size() &&
+      file.compare(file.size() - ending.size(), ending.size(), ending) == 0) {
+    return true;
+  }
+  std::ifstream input(file);
+  std::string first_line;
+  return std::getline(input, first_line) && first_line.compare(0, 8, "#ROSBAG ") == 0;
+}
+
+std::string describeRange(const LogRequest& request) {
+  std::ostringstream text;
+  text.precision(16);
+  text << "between the stamps " << request.begin << " and " << request.end;
+  return text.str();
+}
+
+}  // namespace
+
+bool isWanted(double stamp, const LogRequest& request) {
+  return stamp >= request.begin - kStampRounding && stamp <= request.end + kStampRounding;
+}
+
+Log readLog(const LogRequest& request) {
+  if (!std::ifstream(request.file)) {
+    throw std::invalid_argument("log '" + request.file + "': cannot be opened");
+  }
+  Log log = isBag(request.file) ? readBagLog(request) : readCarmenLog(request);
+  if (log.scans.empty()) {
+    std::string message =
+        "log '" + request.file + "': no usable laser scan " + describeRange(request);
+    for (const auto& warning : log.warnings) message += "; " + warning;
+    throw std::invalid_argument(message);
+  }
+  return log;
+}
+
+void setReference(const Trajectory& reference, Log& log) {
+  for (auto& scan : log.scans) scan.T_map_base = reference.at(scan.scan.stamp, kLongestGap);
+}
+
+}  // namespace adaptive_localization

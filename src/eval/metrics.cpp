@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/metrics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+double mean(const std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double rootMeanSquare(std::vector<double> values) {
+  for (double& value : values) value *= value;
+  return std::sqrt(mean(values));
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
+  std::vector<double> positions, headings;
+  std::optional<double> found_at;
+  int lost = 0;
+  for (const auto& step : steps) {
+    if (!step.T_map_base_reference) continue;
+    const Pose2& reference = *step.T_map_base_reference;
+    positions.push_back(distance(step.T_map_base, reference));
+    headings.push_back(std::abs(wrapAngle(step.T_map_base.theta - reference.theta)));
+    const bool is_found = positions.back() <= kLostDistance && headings.back() <= kLostHeading;
+    if (!is_found) {
+      ++lost;
+      found_at.reset();
+    } else if (!found_at) {
+      found_at = step.stamp - steps.front().stamp;
+    }
+  }
+  if (positions.empty()) return {};
+  ErrorMetrics errors;
+  errors.ate_rmse_m = rootMeanSquare(positions);
+  errors.ate_median_m = quantile(positions, 0.5);
+  errors.ate_p95_m = quantile(positions, 0.95);
+  errors.ate_max_m = largest(positions);
+  errors.heading_rmse_deg = kDegrees * rootMeanSquare(headings);
+  errors.final_error_m = positions.back();
+  errors.final_heading_error_deg = kDegrees * headings.back();
+  errors.converged_at_s = found_at;
+  errors.lost_share = static_cast<double>(lost) / static_cast<double>(positions.size());
+  return errors;
+}
+
+double pathLength(const std::vector<RunStep>& steps) {
+  std::vector<Pose2> reference, odometry;
+  for (const auto& step : steps) {
+    odometry.push_back(step.T_odom_base);
+    if (step.T_map_base_reference) reference.push_back(*step.T_map_base_reference);
+  }
+  const auto& poses = reference.empty() ? odometry : reference;
+  double length = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) length += distance(poses[i - 1], poses[i]);
+  return length;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const double rank = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Metrics measure(const Run& run) {
+  std::vector<double> times, particles, confidences;
+  for (const auto& step : run.steps) {
+    confidences.push_back(step.confidence);
+    if (!step.updated) continue;
+    times.push_back(step.update_ms);
+    particles.push_back(step.particles);
+  }
+  Metrics metrics;
+  metrics.scans = static_cast<int>(run.steps.size());
+  metrics.updates = static_cast<int>(times.size());
+  if (!run.steps.empty()) metrics.duration_s = run.steps.back().stamp - run.steps.front().stamp;
+  metrics.path_m = pathLength(run.steps);
+  metrics.wall_s = run.wall_s;
+  metrics.cpu_s = run.cpu_s;
+  metrics.peak_rss_mb = run.peak_rss_mb;
+  metrics.update_ms_median = quantile(times, 0.5);
+  metrics.update_ms_p99 = quantile(times, 0.99);
+  metrics.update_ms_max = largest(times);
+  metrics.particles_mean = mean(particles);
+  metrics.particles_max = static_cast<int>(largest(particles));
+  metrics.confidence_mean = mean(confidences);
+  metrics.errors = measureErrors(run.steps);
+  return metrics;
+}
+
+}  // namespace adaptive_localization

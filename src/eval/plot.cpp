@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "canvas.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const cv::Scalar kReferenceColour(200, 90, 0);  // blue, green, red
+const cv::Scalar kEstimateColour(30, 30, 220);
+const cv::Scalar kStartColour(40, 150, 40);
+
+struct Paths {
+  std::vector<Pose2> reference, estimate;
+};
+
+Paths pathsOf(const Run& run) {
+  Paths paths;
+  for (const auto& step : run.steps) {
+    paths.estimate.push_back(step.T_map_base);
+    if (step.T_map_base_reference) paths.reference.push_back(*step.T_map_base_reference);
+  }
+  return paths;
+}
+
+std::vector<std::string> caption(const Metrics& metrics) {
+  std::ostringstream scans, error;
+  scans << std::fixed << std::setprecision(0) << metrics.scans << " scans, " << metrics.duration_s
+        << " s, " << metrics.path_m << " m";
+  if (!metrics.errors) return {scans.str(), "no reference"};
+  error << std::fixed << std::setprecision(3) << "error " << metrics.errors->ate_rmse_m
+        << " m rms, " << metrics.errors->ate_max_m << " m max, " << std::setprecision(2)
+        << metrics.errors->heading_rmse_deg << " deg rms";
+  return {scans.str(), error.str()};
+}
+
+}  // namespace
+
+void savePlot(const OccupancyGrid& map, const Run& run, const Metrics& metrics,
+              const std::string& file) {
+  const Paths paths = pathsOf(run);
+  auto shown = paths.estimate;
+  shown.insert(shown.end(), paths.reference.begin(), paths.reference.end());
+
+  Canvas canvas(map, shown);
+  canvas.drawMap(map);
+  canvas.drawPath(paths.reference, kReferenceColour, 3);
+  canvas.drawPath(paths.estimate, kEstimateColour, 1);
+  if (!paths.estimate.empty()) canvas.drawDot(paths.estimate.front(), kStartColour);
+  canvas.drawScaleBar();
+  std::vector<LegendRow> rows;
+  if (!paths.reference.empty()) rows.push_back({"reference", kReferenceColour});
+  rows.push_back({"estimate", kEstimateColour});
+  rows.push_back({"start", kStartColour});
+  canvas.drawLegend(rows, caption(metrics));
+
+  bool is_written = false;
+  try {
+    is_written = cv::imwrite(file, canvas.image());
+  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
+  }
+  if (!is_written) {
+    throw std::runtime_error("plot '" + file + "': cannot be written, expected a name like x.png");
+  }
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/replay_command.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+double toNumber(const std::string& name, const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(number)) {
+    throw std::invalid_argument(name + ": got '" + text + "', expected a number");
+  }
+  return number;
+}
+
+/// Options of the command by name; each takes one value, those named in `kLists` one or more.
+using Handlers = std::map<std::string, std::function<void(const std::string&)>>;
+
+bool isOption(const std::string& argument) {
+  return argument.compare(0, 2, "--") == 0;
+}
+
+void checkRequired(const ReplayCommand& command) {
+  if (command.map.empty()) throw std::invalid_argument("--map is missing");
+  if (command.log.file.empty()) throw std::invalid_argument("--log is missing");
+  if (command.log.begin > command.log.end) {
+    throw std::invalid_argument("--begin is later than --end");
+  }
+  if (!command.truth_file.empty() && !command.log.truth_topic.empty()) {
+    throw std::invalid_argument("--truth and --truth-topic exclude each other");
+  }
+}
+
+/// What --params, --set, --filter, --seed and --threads say, to be layered at the end.
+struct GivenParameters {
+  std::vector<std::string> files;
+  std::vector<std::pair<std::string, std::string>> values;
+  Parameters own;
+
+  Parameters layer() const {
+    Parameters all = own;
+    Parameters below;
+    for (const auto& file : files) below.load(file);
+    for (const auto& [key, text] : values) below.set(key, text);
+    all.fill(below);
+    return all;
+  }
+
+  void addValue(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw std::invalid_argument("--set: got '" + text + "', expected KEY=VALUE");
+    }
+    values.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+};
+
+Handlers makeHandlers(ReplayCommand& command, GivenParameters& given) {
+  const auto text = [](std::string& target) {
+    return [&target](const std::string& value) { target = value; };
+  };
+  const auto number = [](const std::string& name, double& target) {
+    return [name, &target](const std::string& value) { target = toNumber(name, value); };
+  };
+  return {
+      {"--map", text(command.map)},
+      {"--log", text(command.log.file)},
+      {"--filter", [&](const auto& v) { given.own.set("filter", OptionValue(v)); }},
+      {"--params", [&](const auto& v) { given.files.push_back(v); }},
+      {"--set", [&](const auto& v) { given.addValue(v); }},
+      {"--start", text(command.start)},
+      {"--begin", number("--begin", command.log.begin)},
+      {"--end", number("--end", command.log.end)},
+      {"--seed", [&](const auto& v) { given.own.set("seed", toNumber("--seed", v)); }},
+      {"--threads", [&](const auto& v) { given.own.set("threads", toNumber("--threads", v)); }},
+      {"--scan-topic", text(command.log.scan_topic)},
+      {"--odom-topic", text(command.log.odom_topic)},
+      {"--truth-topic", text(command.log.truth_topic)},
+      {"--truth", text(command.truth_file)},
+      {"--trajectory", text(command.trajectory_file)},
+      {"--json", text(command.json_file)},
+      {"--plot", text(command.plot_file)},
+  };
+}
+
+}  // namespace
+
+std::string replayUsage() {
+  return R"(usage: replay --map MAP.yaml --log FILE [options]
+
+Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2) as fast as it goes.
+
+  --filter NAME           filter core
+  --params FILE.yaml ...  parameters; a later file wins
+  --set KEY=VALUE ...     parameters one by one; win over the files
+  --start truth | X,Y,YAW | global
+                          where the robot starts: at the reference pose of the first scan used
+                          (the default where there is a reference), at a pose (m, rad), anywhere
+  --begin STAMP, --end STAMP
+                          use only this part of the log
+  --seed N, --threads N   of the filter
+  --scan-topic T          laser scans; needed only if the bag has several such topics
+  --odom-topic T          odometry from this topic rather than from /tf
+  --truth-topic T         reference poses from the bag
+  --truth FILE.tum        reference poses from a file
+  --trajectory OUT.tum    write the estimate at every scan
+  --json OUT.json         write the numbers
+  --plot OUT.png          draw map, reference and estimate
+  --quiet                 print nothing but warnings and errors
+  --help                  print this
+)";
+}
+
+ReplayCommand parseReplayCommand(const std::vector<std::string>& arguments) {
+  ReplayCommand command;
+  GivenParameters given;
+  const Handlers handlers = makeHandlers(command, given);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& name = arguments[i];
+    command.is_quiet |= name == "--quiet";
+    command.wants_help |= name == "--help" || name == "-h";
+    if (command.wants_help) return command;
+    if (name == "--quiet") continue;
+    const auto handler = handlers.find(name);
+    if (handler == handlers.end()) throw std::invalid_argument("unknown argument '" + name + "'");
+    if (i + 1 == arguments.size() || isOption(arguments[i + 1])) {
+      throw std::invalid_argument(name + " needs a value");
+    }
+    handler->second(arguments[++i]);
+    const bool is_list = name == "--params" || name == "--set";
+    while (is_list && i + 1 < arguments.size() && !isOption(arguments[i + 1])) {
+      handler->second(arguments[++i]);
+    }
+  }
+  checkRequired(command);
+  command.parameters = given.layer();
+  return command;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/report.hpp"
+
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace adaptive_localization {
+
+nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& metrics) {
+  const nlohmann::ordered_json null;
+  const auto error = [&](double ErrorMetrics::*member) {
+    return metrics.errors ? nlohmann::ordered_json(*metrics.errors.*member) : null;
+  };
+  const bool has_converged = metrics.errors && metrics.errors->converged_at_s;
+
+  nlohmann::ordered_json json;
+  json["log"] = description.log;
+  json["map"] = description.map;
+  json["filter"] = description.filter;
+  json["seed"] = description.seed;
+  json["threads"] = description.threads;
+  json["scans"] = metrics.scans;
+  json["updates"] = metrics.updates;
+  json["duration_s"] = metrics.duration_s;
+  json["path_m"] = metrics.path_m;
+  json["wall_s"] = metrics.wall_s;
+  json["cpu_s"] = metrics.cpu_s;
+  json["peak_rss_mb"] = metrics.peak_rss_mb;
+  json["update_ms"]["median"] = metrics.update_ms_median;
+  json["update_ms"]["p99"] = metrics.update_ms_p99;
+  json["update_ms"]["max"] = metrics.update_ms_max;
+  json["particles"]["mean"] = metrics.particles_mean;
+  json["particles"]["max"] = metrics.particles_max;
+  json["ate_rmse_m"] = error(&ErrorMetrics::ate_rmse_m);
+  json["ate_median_m"] = error(&ErrorMetrics::ate_median_m);
+  json["ate_p95_m"] = error(&ErrorMetrics::ate_p95_m);
+  json["ate_max_m"] = error(&ErrorMetrics::ate_max_m);
+  json["heading_rmse_deg"] = error(&ErrorMetrics::heading_rmse_deg);
+  json["final_error_m"] = error(&ErrorMetrics::final_error_m);
+  json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
+  json["converged_at_s"] =
+      has_converged ? nlohmann::ordered_json(*metrics.errors->converged_at_s) : null;
+  json["lost_share"] = error(&ErrorMetrics::lost_share);
+  json["confidence_mean"] = metrics.confidence_mean;
+  return json;
+}
+
+std::string summarize(const RunDescription& description, const Metrics& metrics) {
+  std::ostringstream text;
+  text << std::fixed << description.filter << ": " << metrics.scans << " scans, "
+       << std::setprecision(0) << metrics.duration_s << " s, " << metrics.path_m << " m; ";
+  if (metrics.errors) {
+    text << std::setprecision(3) << "error " << metrics.errors->ate_rmse_m << " m rms, "
+         << metrics.errors->ate_max_m << " m at most, " << std::setprecision(2)
+         << metrics.errors->heading_rmse_deg << " deg rms, lost " << std::setprecision(1)
+         << 100.0 * metrics.errors->lost_share << " % of the scans; ";
+  } else {
+    text << "no reference; ";
+  }
+  text << std::setprecision(2) << metrics.update_ms_median << " ms per update, "
+       << std::setprecision(0) << metrics.particles_mean << " particles, " << std::setprecision(2)
+       << "confidence " << metrics.confidence_mean;
+  return text.str();
+}
+
+void saveJson(const nlohmann::ordered_json& json, const std::string& file) {
+  std::ofstream output(file);
+  output << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  output.flush();
+  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
+}
+
+}  // namespace adaptive_localization

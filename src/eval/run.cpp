@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/run.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(const Clock::time_point& start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+rusage resources() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+double cpuSeconds() {
+  const rusage usage = resources();
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+RunStep step(const LogScan& log_scan, Localizer& localizer) {
+  const auto start = Clock::now();
+  Observations observations;
+  observations.stamp = log_scan.scan.stamp;
+  observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions());
+  const Localization answer = localizer.update(log_scan.T_odom_base, observations);
+  RunStep result;
+  result.update_ms = 1e3 * secondsSince(start);
+  result.stamp = log_scan.scan.stamp;
+  result.T_odom_base = log_scan.T_odom_base;
+  result.T_map_base = answer.T_map_base;
+  result.T_map_base_reference = log_scan.T_map_base;
+  result.confidence = answer.confidence;
+  result.status = answer.status;
+  result.updated = answer.updated;
+  result.particles = static_cast<int>(localizer.hypotheses().size());
+  return result;
+}
+
+}  // namespace
+
+Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
+  Run run;
+  run.steps.reserve(log.scans.size());
+  const auto start = Clock::now();
+  const double cpu_at_start = cpuSeconds();
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    try {
+      run.steps.push_back(step(log.scans[i], localizer));
+    } catch (const std::invalid_argument& error) {
+      run.warnings.push_back("scan " + std::to_string(i + 1) + " skipped: " + error.what());
+    }
+    if (progress) progress(i + 1);
+  }
+  run.wall_s = secondsSince(start);
+  run.cpu_s = cpuSeconds() - cpu_at_start;
+  run.peak_rss_mb = static_cast<double>(resources().ru_maxrss) / 1024.0;
+  return run;
+}
+
+}  // namespace adaptive_localization
