@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/sim/polygon.hpp"
+
+namespace adaptive_localization {
+
+/// A building drawn with lines, the truth of a simulated world. Read from a YAML file:
+///
+///     outline: [[0, 0], [7, 0], [7, 4], [0, 4]]   # the inside; everything beyond is solid
+///     wall_thickness: 0.1                          # m
+///     walls: [[[3, 0], [3, 2]], ...]               # centre lines of inner walls
+///     solids: [[[5, 1], [6, 1], [6, 2]], ...]      # columns, cupboards
+///     furniture: [...]                             # solids that the map does not show
+///     route: [[1, 1], [6, 3]]                      # way-points of the scripted drive, a loop
+///     start: [1, 1, 0]                             # x, y, yaw
+///
+/// Metres and radians in the map frame. Only the outline is required.
+struct FloorPlan {
+  Polygon outline;
+  std::vector<Segment> walls;
+  double wall_thickness{0.1};
+  std::vector<Polygon> solids;
+  std::vector<Polygon> furniture;
+  std::vector<Eigen::Vector2d> route;
+  std::optional<Pose2> start;
+};
+
+/// Throws std::invalid_argument naming file, key and what was expected.
+FloorPlan loadFloorPlan(const std::string& yaml_file);
+
+/// The map a perfect survey would make: a cell is solid if its centre is (or if a wall's centre
+/// line crosses it, so that no wall is lost in a coarse grid), occupied if it is solid and touches
+/// a free cell, unknown if it is solid and does not. Furniture is left out. Surfaces are within
+/// half a cell of the plan's. The lattice is the outline's bounding box and `margin` cells around
+/// it.
+OccupancyGrid rasterize(const FloorPlan& plan, double resolution, int margin = 5);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// A SICK LMS-291 as the sicklms driver shows it.
+struct LaserOptions {
+  int laser_beams{181};
+  bool laser_interlaced{false};
+  double laser_x{0.021};
+  double laser_max_range{80.0};
+  double laser_noise{0.010};
+  double laser_bias{0.015};
+  double laser_resolution{0.01};
+  double laser_mixed{0.5};
+  double laser_grazing{0.3};
+  double laser_short{0.002};
+  double laser_dazzle{1e-4};
+  double laser_latency{0.0};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("laser_beams", laser_beams, Range{2, 3601}, "", "Beams over 180 degrees: 181 or 361.");
+    option("laser_interlaced", laser_interlaced,
+           "Alternate 181 beams from -90 and 180 beams from -89.5 degrees, 1 degree apart, as "
+           "sicklms does at half-degree resolution.");
+    option("laser_x", laser_x, Range{-2, 2}, "m", "The laser's place before base_link.");
+    option("laser_max_range", laser_max_range, Range{1, 1000}, "m",
+           "Farther is no return: 80, or 8 in the millimetre mode.");
+    option("laser_noise", laser_noise, Range{0, 1}, "m", "Standard deviation of a range.");
+    option("laser_bias", laser_bias, Range{0, 1}, "m",
+           "The run's common error of all ranges is drawn from plus or minus this; the data sheet "
+           "allows 0.035.");
+    option("laser_resolution", laser_resolution, Range{0, 1}, "m",
+           "Ranges are multiples of this; 0: not rounded.");
+    option("laser_mixed", laser_mixed, kProbability, "",
+           "Share of beams split by an edge that return a range between its two sides.");
+    option("laser_grazing", laser_grazing, kProbability, "",
+           "Share of beams that meet a surface at more than 80 degrees and return nothing valid.");
+    option("laser_short", laser_short, kProbability, "", "Share of random short readings.");
+    option("laser_dazzle", laser_dazzle, kProbability, "", "Share of invalid readings.");
+    option("laser_latency", laser_latency, Range{0, 10}, "s",
+           "A scan comes, and is stamped, so long after it was taken (0.1 at 38400 baud).");
+  }
+};
+
+class Laser {
+ public:
+  /// The true range of a ray (map frame), max_range if it meets nothing.
+  using Caster = std::function<double(const Pose2& T_map_ray, double max_range)>;
+
+  Laser(const LaserOptions& options, Rng rng);
+
+  /// The scan of a robot standing at a pose; NaN invalid, infinity no return, as sicklms gives
+  /// them.
+  LaserScan scan(const Pose2& T_map_base, const Caster& cast);
+
+  Pose2 mount() const { return {options_.laser_x, 0.0, 0.0}; }  // T_base_laser
+
+ private:
+  float measure(const Pose2& T_map_ray, const Caster& cast);
+
+  LaserOptions options_;
+  Rng rng_;
+  double bias_;
+  bool second_half_{false};
+};
+
+}  // namespace adaptive_localization

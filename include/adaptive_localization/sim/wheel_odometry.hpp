@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/sim/drive_base.hpp"
+
+namespace adaptive_localization {
+
+/// What is wrong with the wheels. The systematic part is Borenstein and Feng's (IEEE Trans.
+/// Robotics and Automation 12(6), 1996): wheels of unequal size and a wrong axle length.
+struct OdometryOptions {
+  double odom_wheel_ratio{1.004};
+  double odom_axle_ratio{1.02};
+  double odom_wheel_noise{1e-4};
+  double odom_slip_rate{0.2};
+  double odom_slip_share{0.2};
+  double odom_axle{0.33};
+  bool odom_whole_degrees{true};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("odom_wheel_ratio", odom_wheel_ratio, Range{0.5, 2}, "",
+           "Right over left wheel diameter, E_d; odometry takes them for equal.");
+    option("odom_axle_ratio", odom_axle_ratio, Range{0.5, 2}, "",
+           "True over assumed axle length, E_b.");
+    option("odom_wheel_noise", odom_wheel_noise, Range{0, 1}, "m",
+           "k: each wheel's error has variance k |travel|.");
+    option("odom_slip_rate", odom_slip_rate, Range{0, 100}, "1/s",
+           "How often the wheels begin to slip while turning faster than 0.3 rad/s.");
+    option("odom_slip_share", odom_slip_share, Range{0, 1}, "",
+           "Share of the wheels' turning that is lost while they slip (0.3 s each time).");
+    option("odom_axle", odom_axle, Range{0.05, 5}, "m", "True distance of the wheels.");
+    option("odom_whole_degrees", odom_whole_degrees,
+           "Report whole millimetres and degrees, as p2os does.");
+  }
+
+  /// Defaults by name: ideal (odometry is the truth), nominal, bad.
+  /// Throws std::invalid_argument for another name.
+  static OdometryOptions profile(const std::string& name);
+};
+
+/// Dead reckoning with wrong constants, fed with true motion.
+class WheelOdometry {
+ public:
+  WheelOdometry(const OdometryOptions& options, const Rng& rng) : options_(options), rng_(rng) {}
+
+  /// The body really moved so for dt seconds.
+  void step(const Velocity& velocity, double dt);
+
+  /// T_odom_base as the driver reports it; starts at the origin.
+  Pose2 pose() const;
+
+  /// The wheels' velocity in the last step as odometry takes it.
+  const Velocity& velocity() const { return measured_; }
+
+ private:
+  double slip(double turn_rate, double dt);
+  double noise(double travel) {
+    return rng_.normal(0.0, std::sqrt(options_.odom_wheel_noise * std::abs(travel)));
+  }
+
+  OdometryOptions options_;
+  Rng rng_;
+  Pose2 T_odom_base_;
+  Velocity measured_;
+  double slip_left_{0.0};  // s
+};
+
+}  // namespace adaptive_localization

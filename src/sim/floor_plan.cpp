@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/floor_plan.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+using Numbers = std::vector<double>;
+
+[[noreturn]] void reject(const std::string& key, const std::string& expected) {
+  throw std::invalid_argument("'" + key + "': expected " + expected);
+}
+
+Numbers numbers(const YAML::Node& node, const std::string& key, std::size_t count,
+                const std::string& expected) {
+  Numbers values;
+  try {
+    values = node.as<Numbers>();
+  } catch (const YAML::Exception&) {
+    reject(key, expected);
+  }
+  bool good = values.size() == count;
+  for (const double value : values) good = good && std::abs(value) < 1e5;  // NaN fails too
+  if (!good) reject(key, expected);
+  return values;
+}
+
+std::vector<Eigen::Vector2d> points(const YAML::Node& node, const std::string& key,
+                                    std::size_t at_least) {
+  const std::string expected =
+      "a list of at least " + std::to_string(at_least) + " points [x, y] in metres";
+  if (!node.IsSequence() || node.size() < at_least) reject(key, expected);
+  std::vector<Eigen::Vector2d> result;
+  for (const auto& entry : node) {
+    const Numbers xy = numbers(entry, key, 2, expected);
+    result.emplace_back(xy[0], xy[1]);
+  }
+  return result;
+}
+
+std::vector<std::vector<Eigen::Vector2d>> lists(const YAML::Node& root, const std::string& key,
+                                                std::size_t at_least) {
+  std::vector<std::vector<Eigen::Vector2d>> result;
+  if (!root[key]) return result;
+  if (!root[key].IsSequence()) reject(key, "a list of lists of points");
+  for (const auto& entry : root[key]) result.push_back(points(entry, key, at_least));
+  return result;
+}
+
+FloorPlan parse(const YAML::Node& root) {
+  if (!root.IsMap() || !root["outline"]) reject("outline", "a polygon of at least 3 points");
+  FloorPlan plan;
+  plan.outline = points(root["outline"], "outline", 3);
+  if (const auto thickness = root["wall_thickness"]) {
+    plan.wall_thickness = thickness.as<double>(-1.0);
+    if (!(plan.wall_thickness > 0.0 && plan.wall_thickness < 10.0)) {
+      reject("wall_thickness", "a number of metres in (0, 10)");
+    }
+  }
+  for (const auto& line : lists(root, "walls", 2)) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      if (line[i - 1] == line[i]) reject("walls", "no point twice in a row");
+      plan.walls.push_back({line[i - 1], line[i]});
+    }
+  }
+  plan.solids = lists(root, "solids", 3);
+  plan.furniture = lists(root, "furniture", 3);
+  if (root["route"]) plan.route = points(root["route"], "route", 1);
+  if (root["start"]) {
+    const Numbers start = numbers(root["start"], "start", 3, "[x, y, yaw] in metres and radians");
+    plan.start = Pose2{start[0], start[1], start[2]};
+  }
+  return plan;
+}
+
+}  // namespace
+
+FloorPlan loadFloorPlan(const std::string& yaml_file) {
+  try {
+    return parse(YAML::LoadFile(yaml_file));
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("world file '" + yaml_file + "': " + error.what());
+  }
+}
+
+}  // namespace adaptive_localization

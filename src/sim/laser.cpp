@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/laser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kHalfSpot = 0.37 * kPi / 180.0;  // rad: the spot is 0.0129 rad wide
+constexpr double kEdge = 0.3;                     // m between the two sides of an edge
+constexpr double kShortest = 0.05;                // m
+constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoReturn = std::numeric_limits<float>::infinity();
+
+/// Whether three neighbouring ranges lie on one line seen at more than 80 degrees of incidence.
+bool isGrazing(double left, double middle, double right) {
+  const double steep = std::tan(80.0 * kPi / 180.0) * kHalfSpot * middle;
+  return std::min(std::abs(left - middle), std::abs(middle - right)) > steep &&
+         (left - middle) * (middle - right) > 0.0;
+}
+
+}  // namespace
+
+Laser::Laser(const LaserOptions& options, Rng rng)
+    : options_(options), rng_(rng), bias_(rng_.uniform(-options.laser_bias, options.laser_bias)) {}
+
+float Laser::measure(const Pose2& T_map_ray, const Caster& cast) {
+  const double limit = options_.laser_max_range;
+  const double middle = cast(T_map_ray, limit);
+  const double left = cast(T_map_ray * Pose2{0.0, 0.0, kHalfSpot}, limit);
+  const double right = cast(T_map_ray * Pose2{0.0, 0.0, -kHalfSpot}, limit);
+
+  double range = middle;
+  if (rng_.uniform() < options_.laser_dazzle) return kInvalid;
+  if (rng_.uniform() < options_.laser_short) {
+    range = rng_.uniform(kShortest, std::max(range, kShortest));
+  } else if (isGrazing(left, middle, right)) {
+    if (rng_.uniform() < options_.laser_grazing) return kInvalid;
+  } else if (std::abs(left - right) > kEdge && rng_.uniform() < options_.laser_mixed) {
+    range = rng_.uniform(std::min(left, right), std::max(left, right));
+  }
+  if (range >= limit) return kNoReturn;
+
+  range += bias_ + rng_.normal(0.0, options_.laser_noise);
+  if (options_.laser_resolution > 0.0) {
+    range = std::nearbyint(range / options_.laser_resolution) * options_.laser_resolution;
+  }
+  return static_cast<float>(std::max(range, 0.0));
+}
+
+LaserScan Laser::scan(const Pose2& T_map_base, const Caster& cast) {
+  constexpr double kTurnsPerSecond = 75.0;
+  const double degree = kPi / 180.0;
+  LaserScan scan;
+  scan.angle_min = -kPi / 2.0;
+  int beams = options_.laser_beams;
+  scan.angle_increment = kPi / (beams - 1);
+  if (options_.laser_interlaced) {
+    beams = second_half_ ? 180 : 181;
+    scan.angle_min = second_half_ ? -89.5 * degree : -90.0 * degree;
+    scan.angle_increment = degree;
+    second_half_ = !second_half_;
+  }
+  scan.time_increment = scan.angle_increment / (2.0 * kPi) / kTurnsPerSecond;
+  scan.range_max = options_.laser_max_range * 1.0125;  // 81 and 8.1, as the driver says
+
+  const Pose2 T_map_laser = T_map_base * mount();
+  scan.ranges.reserve(static_cast<std::size_t>(beams));
+  for (int i = 0; i < beams; ++i) {
+    const double bearing = scan.angle_min + i * scan.angle_increment;
+    scan.ranges.push_back(measure(T_map_laser * Pose2{0.0, 0.0, bearing}, cast));
+  }
+  return scan;
+}
+
+}  // namespace adaptive_localization

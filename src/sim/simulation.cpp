@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+/// Streams of randomness, one per part, so that more people do not change the laser's noise.
+enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute };
+
+std::int64_t ticksPer(double rate) {
+  return std::max<std::int64_t>(1, std::llround(1.0 / rate / Simulation::kStep));
+}
+
+Pose2 parsePose(const std::string& text) {
+  std::istringstream in(text);
+  Pose2 pose;
+  char comma_1{}, comma_2{}, more{};
+  const bool read = static_cast<bool>(in >> pose.x >> comma_1 >> pose.y >> comma_2 >> pose.theta);
+  if (!read || comma_1 != ',' || comma_2 != ',' || in >> more || !isFinite(pose)) {
+    throw std::invalid_argument("option 'start': got '" + text +
+                                "', expected x,y,yaw in metres and radians, or random");
+  }
+  return pose;
+}
+
+std::shared_ptr<const FreeSpace> freeSpace(const Site& site, const SimulationOptions& options) {
+  constexpr double kMargin = 0.01;  // m, for steering
+  return std::make_shared<const FreeSpace>(site.world, options.base.robot_radius + kMargin);
+}
+
+Eigen::Vector2d place(const Pose2& pose) {
+  return {pose.x, pose.y};
+}
+
+}  // namespace
+
+SimulationOptions SimulationOptions::from(const Parameters& parameters) {
+  SimulationOptions options;
+  options.odometry = OdometryOptions::profile(parameters.read<SimulationOptions>().profile);
+  return parameters.read(options);
+}
+
+Simulation Simulation::load(const SimulationOptions& options) {
+  if (options.world.empty()) {
+    throw std::invalid_argument(
+        "option 'world': got '', expected a world.yaml (a floor plan) or a map's YAML file");
+  }
+  return {loadSite(options.world, options.furniture), options};
+}
+
+Simulation::Simulation(const Site& site, const SimulationOptions& options)
+    : options_(options),
+      world_(site.world),
+      free_space_(freeSpace(site, options)),
+      rng_(static_cast<std::uint64_t>(options.seed)),
+      base_(options.base),
+      odometry_(options.odometry, rng_.split(kWheels)),
+      laser_(options.laser, rng_.split(kBeams)),
+      people_(free_space_, options.people, rng_.split(kWalks)),
+      driver_(free_space_, site.route, options.route, rng_.split(kRoute)),
+      start_(chooseStart(site, options.start)),
+      T_map_base_(start_) {}
+
+Pose2 Simulation::chooseStart(const Site& site, const std::string& text) {
+  if (text == "random" || (text.empty() && !site.start)) return randomPose();
+  const Pose2 start = text.empty() ? *site.start : parsePose(text);
+  if (!free_space_->contains(place(start))) {
+    throw std::invalid_argument("option 'start': got " + std::to_string(start.x) + "," +
+                                std::to_string(start.y) +
+                                ", expected a place where the robot can stand and drive away");
+  }
+  return start;
+}
+
+Pose2 Simulation::randomPose() {
+  const Eigen::Vector2d spot = free_space_->sample(rng_);
+  return {spot.x(), spot.y(), rng_.uniform(-kPi, kPi)};
+}
+
+void Simulation::command(const Velocity& velocity) {
+  commanded_at_ = time();
+  base_.command(velocity, time());
+}
+
+Sensed Simulation::step() {
+  if (options_.drive) drive();
+  people_.step(kStep, place(T_map_base_));
+  move();
+  ++ticks_;
+
+  Sensed sensed;
+  if (ticks_ % ticksPer(options_.odom_rate) == 0) sensed.odometry = odometry();
+  if (ticks_ % ticksPer(options_.scan_rate) == 0) scan();
+  if (!on_the_wire_.empty() && on_the_wire_.front().stamp <= time() + kStep / 2.0) {
+    sensed.scan = std::move(on_the_wire_.front());
+    on_the_wire_.pop_front();
+  }
+  return sensed;
+}
+
+void Simulation::drive() {
+  constexpr int kTicks = 5;
+  if (ticks_ % kTicks != 0 || time() - commanded_at_ <= options_.base.cmd_vel_timeout) return;
+  base_.command(driver_.steer(T_map_base_, people_.places(), kTicks * kStep), time());
+}
+
+/// Whether the robot would touch something there and come nearer to it.
+bool Simulation::blocks(const Pose2& T_map_next) const {
+  const double radius = options_.base.robot_radius;
+  const double room = world_->clearance(place(T_map_next), radius);
+  if (room < radius && room < world_->clearance(place(T_map_base_), radius)) return true;
+  return std::any_of(people_.places().begin(), people_.places().end(), [&](const auto& person) {
+    const double gap = (person - place(T_map_next)).norm();
+    return gap < radius + People::kRadius && gap < (person - place(T_map_base_)).norm();
+  });
+}
+
+void Simulation::move() {
+  Velocity velocity = base_.step(time(), kStep);
+  if (blocks(T_map_base_ * arc(velocity, kStep))) {
+    base_.stop();
+    velocity = base_.velocity();
+  }
+  T_map_base_ = T_map_base_ * arc(velocity, kStep);
+  odometry_.step(velocity, kStep);
+}
+
+void Simulation::scan() {
+  LaserScan scan = laser_.scan(T_map_base_, [this](const Pose2& T_map_ray, double max_range) {
+    return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
+  });
+  scan.stamp = time() + options_.laser.laser_latency;
+  on_the_wire_.push_back(std::move(scan));
+}
+
+void Simulation::kidnap(const Pose2& T_map_base) {
+  const Eigen::Vector2d spot = free_space_->nearest(place(T_map_base));
+  T_map_base_ = {spot.x(), spot.y(), T_map_base.theta};
+  base_.halt();
+  driver_.restart();
+}
+
+void Simulation::kidnapRandom() {
+  kidnap(randomPose());
+}
+
+}  // namespace adaptive_localization

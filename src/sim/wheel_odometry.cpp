@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/wheel_odometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace adaptive_localization {
+
+OdometryOptions OdometryOptions::profile(const std::string& name) {
+  OdometryOptions options;
+  if (name == "nominal") return options;
+  if (name == "ideal") {
+    options.odom_wheel_ratio = 1.0;
+    options.odom_axle_ratio = 1.0;
+    options.odom_wheel_noise = 0.0;
+    options.odom_slip_rate = 0.0;
+    options.odom_whole_degrees = false;
+    return options;
+  }
+  if (name == "bad") {
+    options.odom_wheel_ratio = 1.02;
+    options.odom_axle_ratio = 1.08;
+    options.odom_wheel_noise = 1e-3;
+    options.odom_slip_rate = 0.5;
+    options.odom_slip_share = 0.5;
+    return options;
+  }
+  throw std::invalid_argument("option 'profile': got '" + name +
+                              "', expected one of ideal, nominal, bad");
+}
+
+/// Factor by which the wheels turn more than the body.
+double WheelOdometry::slip(double turn_rate, double dt) {
+  constexpr double kFastTurn = 0.3;  // rad/s
+  constexpr double kDuration = 0.3;  // s
+  if (slip_left_ > 0.0) {
+    slip_left_ -= dt;
+  } else if (std::abs(turn_rate) > kFastTurn && rng_.uniform() < options_.odom_slip_rate * dt) {
+    slip_left_ = kDuration;
+  }
+  return slip_left_ > 0.0 ? 1.0 / std::max(1.0 - options_.odom_slip_share, 0.1) : 1.0;
+}
+
+void WheelOdometry::step(const Velocity& velocity, double dt) {
+  const double half_turn = velocity.turn * options_.odom_axle / 2.0 * slip(velocity.turn, dt);
+  // A larger wheel turns less for the same way, so the encoder sees less of it.
+  const double unequal = (options_.odom_wheel_ratio - 1.0) / 2.0;
+  double left = (velocity.forward - half_turn) * dt / (1.0 - unequal);
+  double right = (velocity.forward + half_turn) * dt / (1.0 + unequal);
+  left += noise(left);
+  right += noise(right);
+
+  const double assumed_axle = options_.odom_axle / options_.odom_axle_ratio;
+  measured_ = {(left + right) / 2.0 / dt, (right - left) / assumed_axle / dt};
+  T_odom_base_ = T_odom_base_ * arc(measured_, dt);
+}
+
+Pose2 WheelOdometry::pose() const {
+  if (!options_.odom_whole_degrees) return T_odom_base_;
+  const double degree = kPi / 180.0;
+  return {std::nearbyint(T_odom_base_.x * 1000.0) / 1000.0,
+          std::nearbyint(T_odom_base_.y * 1000.0) / 1000.0,
+          std::nearbyint(T_odom_base_.theta / degree) * degree};
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/world.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/map/map_io.hpp"
+#include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/sim/segment_index.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+struct Solid {
+  Polygon polygon;
+  Bounds bounds;
+};
+
+std::vector<Segment> sides(const Polygon& outline, const std::vector<Solid>& solids) {
+  std::vector<Segment> segments;
+  const auto add = [&](const Segment& side) { segments.push_back(side); };
+  forEachSide(outline, add);
+  for (const auto& solid : solids) forEachSide(solid.polygon, add);
+  return segments;
+}
+
+class PolygonWorld final : public World {
+ public:
+  PolygonWorld(Polygon outline, std::vector<Solid> solids)
+      : outline_(std::move(outline)),
+        solids_(std::move(solids)),
+        index_(sides(outline_, solids_)) {}
+
+  double range(const Pose2& T_map_ray, double max_range) const override {
+    return index_.range(T_map_ray, max_range);
+  }
+
+  double clearance(const Eigen::Vector2d& point, double cap) const override {
+    return isSolid(point) ? 0.0 : index_.distance(point, cap);
+  }
+
+  Bounds bounds() const override { return boundsOf(outline_); }
+
+ private:
+  bool isSolid(const Eigen::Vector2d& point) const {
+    if (!contains(outline_, point)) return true;
+    return std::any_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
+      return solid.bounds.contains(point) && contains(solid.polygon, point);
+    });
+  }
+
+  Polygon outline_;
+  std::vector<Solid> solids_;
+  SegmentIndex index_;
+};
+
+/// For the robot unknown cells are solid: it must not drive off the map.
+OccupancyGrid solidWhereNotFree(const OccupancyGrid& grid) {
+  std::vector<std::int8_t> cells(grid.lattice().size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] =
+        grid.isFree(grid.lattice().cell(i)) ? OccupancyGrid::kFree : OccupancyGrid::kOccupied;
+  }
+  return {grid.lattice(), std::move(cells)};
+}
+
+class GridWorld final : public World {
+ public:
+  explicit GridWorld(std::shared_ptr<const OccupancyGrid> grid)
+      : lattice_(grid->lattice()), caster_(grid), field_(solidWhereNotFree(*grid)) {}
+
+  double range(const Pose2& T_map_ray, double max_range) const override {
+    return caster_.range(T_map_ray, max_range);
+  }
+
+  double clearance(const Eigen::Vector2d& point, double cap) const override {
+    if (!lattice_.contains(lattice_.cellAt(point))) return 0.0;
+    const double to_centre = field_.at(point);  // of the nearest solid cell; its side is nearer
+    return std::min(std::max(to_centre - lattice_.resolution() / 2.0, 0.0), cap);
+  }
+
+  Bounds bounds() const override {
+    const auto& origin = lattice_.origin();
+    const double width = lattice_.width() * lattice_.resolution();
+    const double height = lattice_.height() * lattice_.resolution();
+    return boundsOf({origin * Eigen::Vector2d(0.0, 0.0), origin * Eigen::Vector2d(width, 0.0),
+                     origin * Eigen::Vector2d(width, height),
+                     origin * Eigen::Vector2d(0.0, height)});
+  }
+
+ private:
+  Lattice lattice_;
+  RayCaster caster_;
+  DistanceField field_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> makeWorld(const FloorPlan& plan, bool furniture) {
+  std::vector<Solid> solids;
+  const auto add = [&](const Polygon& polygon) { solids.push_back({polygon, boundsOf(polygon)}); };
+  for (const auto& wall : plan.walls) add(thickLine(wall, plan.wall_thickness));
+  for (const auto& solid : plan.solids) add(solid);
+  if (furniture) {
+    for (const auto& piece : plan.furniture) add(piece);
+  }
+  return std::make_shared<PolygonWorld>(plan.outline, std::move(solids));
+}
+
+std::shared_ptr<const World> makeWorld(std::shared_ptr<const OccupancyGrid> grid) {
+  return std::make_shared<GridWorld>(std::move(grid));
+}
+
+Site loadSite(const std::string& yaml_file, bool furniture) {
+  bool is_map = false;
+  try {
+    const YAML::Node root = YAML::LoadFile(yaml_file);
+    is_map = root.IsMap() && root["image"];
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("world file '" + yaml_file + "': " + error.what());
+  }
+  if (is_map) {
+    return {makeWorld(std::make_shared<const OccupancyGrid>(loadMap(yaml_file))), {}, {}};
+  }
+  const FloorPlan plan = loadFloorPlan(yaml_file);
+  return {makeWorld(plan, furniture), plan.route, plan.start};
+}
+
+}  // namespace adaptive_localization
