@@ -21,12 +21,11 @@ void onSignal(int signal) {
 int main(int argc, char** argv) {
   // roscpp's own handler would close the connection to the master before the pose is kept.
   ros::init(argc, argv, "adaptive_localization", ros::init_options::NoSigintHandler);
+  const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
   try {
-    const ros::NodeHandle node;
-    const ros::NodeHandle private_node("~");
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
-    adaptive_localization::LocalizationNode localization(node, private_node);
+    adaptive_localization::LocalizationNode localization(node, ros::NodeHandle("~"));
     while (ros::ok() && !stop_requested) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }

@@ -10,9 +10,9 @@ int main(int argc, char** argv) {
     ROS_FATAL("usage: map_publisher MAP.yaml");
     return EXIT_FAILURE;
   }
+  const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
   try {
-    adaptive_localization::MapPublisher publisher(ros::NodeHandle(), ros::NodeHandle("~"),
-                                                        argv[1]);
+    adaptive_localization::MapPublisher publisher(node, ros::NodeHandle("~"), argv[1]);
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

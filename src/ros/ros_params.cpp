@@ -49,8 +49,25 @@ const std::set<std::string>& amclKeys() {
   return keys;
 }
 
-bool isUnfinishedPose(const std::string& key, double value) {
-  return key.rfind("initial_", 0) == 0 && !std::isfinite(value);
+bool isUnfinishedPose(const std::string& key, const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return key.rfind("initial_", 0) == 0 && number && !std::isfinite(*number);
+}
+
+/// Copies one value. A text may be a number: rosparam takes 1e-3 for a text.
+void copy(const std::string& key, XmlRpc::XmlRpcValue& value, Parameters& parameters) {
+  switch (value.getType()) {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return parameters.set(key, OptionValue(static_cast<bool>(value)));
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return parameters.set(key, OptionValue(static_cast<int>(value)));
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return parameters.set(key, OptionValue(static_cast<double>(value)));
+    case XmlRpc::XmlRpcValue::TypeString:
+      return parameters.set(key, static_cast<std::string>(value));
+    default:
+      ROS_WARN("Parameter '%s' is a list or a group and ignored: expected one value", key.c_str());
+  }
 }
 
 }  // namespace
@@ -62,29 +79,13 @@ Parameters readParameters(const ros::NodeHandle& node) {
       all.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
     return parameters;
   }
-  for (auto& entry : all) {
-    const std::string& key = entry.first;
-    XmlRpc::XmlRpcValue& value = entry.second;
-    switch (value.getType()) {
-      case XmlRpc::XmlRpcValue::TypeBoolean:
-        parameters.set(key, OptionValue(static_cast<bool>(value)));
-        break;
-      case XmlRpc::XmlRpcValue::TypeInt:
-        parameters.set(key, OptionValue(static_cast<int>(value)));
-        break;
-      case XmlRpc::XmlRpcValue::TypeDouble:
-        if (isUnfinishedPose(key, value)) {
-          ROS_WARN("Parameter '%s' is NaN and ignored", key.c_str());
-        } else {
-          parameters.set(key, OptionValue(static_cast<double>(value)));
-        }
-        break;
-      case XmlRpc::XmlRpcValue::TypeString:  // may be a number: rosparam takes 1e-3 for a text
-        parameters.set(key, static_cast<std::string>(value));
-        break;
-      default:
-        ROS_WARN("Parameter '%s' is a list or a group and ignored: expected one value",
-                 key.c_str());
+  Parameters raw;
+  for (auto& entry : all) copy(entry.first, entry.second, raw);
+  for (const auto& entry : raw.values()) {
+    if (isUnfinishedPose(entry.first, entry.second)) {
+      ROS_WARN("Parameter '%s' is NaN and ignored", entry.first.c_str());
+    } else {
+      parameters.set(entry.first, entry.second);
     }
   }
   return parameters;
