@@ -126,7 +126,7 @@ std::vector<Eigen::Vector2d> FreeSpace::path(const Eigen::Vector2d& from,
       const std::size_t next = lattice_.index(neighbour);
       if (clearance_[next] < 0.0F) continue;
       const double tight = 1.0 - clearance_[next] / kComfort;  // 0 with room enough, 1 at the wall
-      const double price = cost[index] + kCell * std::hypot(step.x, step.y) * (1.0 + 8.0 * tight);
+      const double price = cost[index] + kCell * std::hypot(step.x, step.y) * (1.0 + 4.0 * tight);
       if (price >= cost[next]) continue;
       cost[next] = price;
       before[next] = index;
