@@ -13,22 +13,19 @@
 #include <stdexcept>
 
 #include "bag_log_frames.hpp"
+#include "bag_log_topics.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-using Types = std::set<std::string>;
 using Topics = std::vector<std::string>;
-const Types kScanTypes{"sensor_msgs/LaserScan"};
-const Types kOdometryTypes{"nav_msgs/Odometry"};
-const Types kReferenceTypes{"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped",
-                            "nav_msgs/Odometry"};
 
-std::string join(const std::set<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text.empty() ? "none" : text;
-}
+const TopicKind kScans{{"sensor_msgs/LaserScan"}, "--scan-topic", "laser scans"};
+const TopicKind kOdometry{{"nav_msgs/Odometry"}, "--odom-topic", "odometry"};
+const TopicKind kReference{
+    {"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped", "nav_msgs/Odometry"},
+    "--truth-topic",
+    "poses"};
 
 StampedPose toStampedPose(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
@@ -50,26 +47,16 @@ std::optional<StampedPose> toStampedPose(const rosbag::MessageInstance& message)
 
 class BagReader {
  public:
-  explicit BagReader(const LogRequest& request) : request_(request), frames_(request.frames) {
-    try {
-      bag_.open(request.file, rosbag::bagmode::Read);
-    } catch (const rosbag::BagException& error) {
-      fail(std::string(error.what()) +
-           "; cut off or never closed? 'rosbag reindex' repairs what was recorded");
-    }
-    rosbag::View all(bag_);
-    for (const auto* connection : all.getConnections()) {
-      topics_[connection->topic] = connection->datatype;
-    }
-  }
+  explicit BagReader(const LogRequest& request)
+      : request_(request), bag_(request.file), all_(bag_), topics_(all_), frames_(request.frames) {}
 
   Log read() {
-    scan_topic_ = choose(request_.scan_topic, kScanTypes, "--scan-topic", "laser scans");
-    if (!request_.odom_topic.empty() || topicsOf(kOdometryTypes).size() == 1) {
-      odom_topic_ = choose(request_.odom_topic, kOdometryTypes, "--odom-topic", "odometry");
+    scan_topic_ = topics_.choose(request_.scan_topic, kScans);
+    if (!request_.odom_topic.empty() || topics_.of(kOdometry).size() == 1) {
+      odom_topic_ = topics_.choose(request_.odom_topic, kOdometry);
     }
     if (!request_.truth_topic.empty()) {
-      truth_topic_ = choose(request_.truth_topic, kReferenceTypes, "--truth-topic", "poses");
+      truth_topic_ = topics_.choose(request_.truth_topic, kReference);
     }
     readStaticTransforms();
     readMessages();
@@ -79,31 +66,6 @@ class BagReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::invalid_argument("bag '" + request_.file + "': " + what);
-  }
-
-  std::set<std::string> topicsOf(const Types& types) const {
-    std::set<std::string> names;
-    for (const auto& [topic, type] : topics_) {
-      if (types.count(type)) names.insert(topic);
-    }
-    return names;
-  }
-
-  std::string choose(const std::string& wanted, const Types& types, const std::string& argument,
-                     const std::string& what) const {
-    const auto candidates = topicsOf(types);
-    for (const auto& topic : candidates) {
-      if (!wanted.empty() && withoutSlash(topic) == withoutSlash(wanted)) return topic;
-    }
-    if (wanted.empty() && candidates.size() == 1) return *candidates.begin();
-    if (wanted.empty() && candidates.empty()) fail("has no topic with " + what);
-    if (wanted.empty()) fail("name one topic with " + argument + ": " + join(candidates));
-    fail(argument + " '" + wanted + "': expected a topic with " + what +
-         " of this bag: " + join(candidates));
-  }
-
   void readStaticTransforms() {
     rosbag::View view(bag_, rosbag::TopicQuery(Topics{"/tf_static", "tf_static"}));
     forEach(view, [this](const rosbag::MessageInstance& message) {
@@ -142,13 +104,19 @@ class BagReader {
         try {
           action(message);
         } catch (const ros::serialization::StreamOverrunException&) {
-          ++log_.skipped;
-          log_.warnings.push_back("a message of " + message.getTopic() + " is broken; skipped");
+          skip("a message of " + message.getTopic() + " is broken");
+        } catch (const std::length_error&) {  // an array longer than memory
+          skip("a message of " + message.getTopic() + " is broken");
         }
       }
     } catch (const rosbag::BagException& error) {
       log_.warnings.push_back(std::string("reading stopped early: ") + error.what());
     }
+  }
+
+  void skip(const std::string& why) {
+    ++log_.skipped;
+    log_.warnings.push_back(why + "; skipped");
   }
 
   void takeScans() {
@@ -163,9 +131,10 @@ class BagReader {
         scan.scan.T_odom_base = T_odom_base.value_or(Pose2{});
       }
     } else if (!has_tf_odometry && !placed.empty()) {
-      fail("has no odometry: no transform from '" + request_.frames.odom_frame_id + "' to '" +
-           request_.frames.base_frame_id +
-           "' at any scan; topics with odometry: " + join(topicsOf(kOdometryTypes)));
+      throw std::invalid_argument(
+          "has no odometry: no transform from '" + request_.frames.odom_frame_id + "' to '" +
+          request_.frames.base_frame_id +
+          "' at any scan; topics with odometry: " + join(topics_.of(kOdometry)));
     }
     keepUsable(std::move(placed));
   }
@@ -185,16 +154,17 @@ class BagReader {
     }
     if (without_odometry > 0) {
       log_.skipped += without_odometry;
-      log_.warnings.push_back(std::to_string(without_odometry) +
-                              " scans skipped: no odometry at their stamps");
+      log_.warnings.push_back("scans skipped for want of odometry at their stamps: " +
+                              std::to_string(without_odometry));
     }
   }
 
-  LogRequest request_;
+  const LogRequest& request_;
   rosbag::Bag bag_;
-  std::map<std::string, std::string> topics_;  // name to type
-  std::string scan_topic_, odom_topic_, truth_topic_;
+  rosbag::View all_;
+  BagTopics topics_;
   BagFrames frames_;
+  std::string scan_topic_, odom_topic_, truth_topic_;
   std::vector<StampedPose> odometry_, reference_;
   Log log_;
 };
@@ -202,7 +172,16 @@ class BagReader {
 }  // namespace
 
 Log readBagLog(const LogRequest& request) {
-  return BagReader(request).read();
+  const std::string name = "bag '" + request.file + "': ";
+  try {
+    return BagReader(request).read();
+  } catch (const rosbag::BagException& error) {
+    throw std::invalid_argument(
+        name + "cannot be read: " + error.what() +
+        "; if it was cut off or never closed, 'rosbag reindex' saves what was recorded");
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + error.what());
+  }
 }
 
 }  // namespace adaptive_localization

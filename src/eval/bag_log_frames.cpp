@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "bag_log_topics.hpp"
+
 namespace adaptive_localization {
 namespace {
 
-const ros::Duration kPatience(5.0);  // how much later a transform may be recorded than its scan
+constexpr double kPatience = 5.0;  // s; how much later a transform may be recorded than its scan
 const char kAuthority[] = "bag";
 
 LaserScan toPlainScan(const sensor_msgs::LaserScan& message) {
@@ -29,16 +31,12 @@ Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
 
 }  // namespace
 
-std::string withoutSlash(const std::string& name) {
-  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
-}
-
 void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (auto transform : message.transforms) {
     transform.header.frame_id = withoutSlash(transform.header.frame_id);
     transform.child_frame_id = withoutSlash(transform.child_frame_id);
     buffer_.setTransform(transform, kAuthority, is_static);
-    if (!is_static) newest_ = std::max(newest_, transform.header.stamp);
+    if (!is_static) newest_ = std::max(newest_, transform.header.stamp.toSec());
   }
   placeWaiting(false);
 }
@@ -61,7 +59,7 @@ void BagFrames::placeWaiting(bool is_last_chance) {
     const auto& message = waiting_.front();
     const ros::Time stamp = message.header.stamp;
     const auto T_odom_base = odometryAt(stamp);
-    if (!T_odom_base && !is_last_chance && newest_ - stamp < kPatience) return;
+    if (!T_odom_base && !is_last_chance && newest_ - stamp.toSec() < kPatience) return;
 
     PlacedScan placed;
     placed.scan.scan = toPlainScan(message);

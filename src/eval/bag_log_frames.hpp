@@ -40,12 +40,9 @@ class BagFrames {
 
   FrameOptions frames_;
   tf2::BufferCore buffer_{ros::Duration(60.0)};
-  ros::Time newest_;  // stamp of all transforms so far
+  double newest_{0.0};  // stamp of all transforms so far, s
   std::deque<sensor_msgs::LaserScan> waiting_;
   std::vector<PlacedScan> placed_;
 };
-
-/// Frame and topic names are compared without the leading slash of ROS's early days.
-std::string withoutSlash(const std::string& name);
 
 }  // namespace adaptive_localization

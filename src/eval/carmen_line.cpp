@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "carmen_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -119,6 +119,8 @@ std::optional<LogScan> CarmenParser::parse(const std::string& line) {
   result.scan.range_min = kShortestRange;
   result.scan.range_max = range_max_;
   kind == "FLASER" ? readFlaser(fields, result) : readRobotLaser(fields, result);
+  if (scan_kind_.empty()) scan_kind_ = kind;
+  if (kind != scan_kind_) return {};
   return result;
 }
 

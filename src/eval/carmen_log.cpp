@@ -5,10 +5,8 @@
 #include <boost/iostreams/filter/bzip2.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
-#include <cmath>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "carmen_line.hpp"
@@ -56,15 +54,16 @@ Log readCarmenLog(std::istream& input, const LogRequest& request) {
     }
   }
   if (log.skipped > 0) {
-    log.warnings.push_back(std::to_string(log.skipped) + " broken lines skipped in all");
+    log.warnings.push_back("broken lines skipped in all: " + std::to_string(log.skipped));
   }
   if (!log.scans.empty() && !parser.knowsMount()) {
     log.warnings.push_back(
         "no 'PARAM robot_frontlaser_offset'; the laser is taken to sit at the robot's centre");
   }
   if (const int repaired = repairStamps(log.scans); repaired > 0) {
-    log.warnings.push_back(std::to_string(repaired) +
-                           " scans had stamps later than the scans after them; pulled back");
+    log.warnings.push_back(
+        "scans with stamps later than those of the scans after them, pulled back: " +
+        std::to_string(repaired));
   }
   log.scans.erase(
       std::remove_if(log.scans.begin(), log.scans.end(),
@@ -77,6 +76,10 @@ Log readCarmenLog(const LogRequest& request) {
   namespace io = boost::iostreams;
   std::ifstream file(request.file, std::ios::binary);
   if (!file) throw std::invalid_argument("log '" + request.file + "': cannot be opened");
+  if (!request.truth_topic.empty()) {
+    throw std::invalid_argument("log '" + request.file +
+                                "': a CARMEN log has no topics; give the reference with --truth");
+  }
   io::filtering_istream input;
   if (endsWith(request.file, ".gz")) input.push(io::gzip_decompressor());
   if (endsWith(request.file, ".bz2")) input.push(io::bzip2_decompressor());

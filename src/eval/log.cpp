@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/log.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/eval/bag_log.hpp"
 #include "adaptive_localization/eval/carmen_log.hpp"
+#ifdef ADAPTIVE_LOCALIZATION_WITH_ROSBAG
+#include "adaptive_localization/eval/bag_log.hpp"
+#endif
 
 namespace adaptive_localization {
 namespace {
@@ -25,10 +28,20 @@ bool isBag(const std::string& file) {
   return std::getline(input, first_line) && first_line.compare(0, 8, "#ROSBAG ") == 0;
 }
 
+Log readBag(const LogRequest& request) {
+#ifdef ADAPTIVE_LOCALIZATION_WITH_ROSBAG
+  return readBagLog(request);
+#else
+  throw std::invalid_argument("bag '" + request.file +
+                              "': this program was built without rosbag; only CARMEN logs work");
+#endif
+}
+
 std::string describeRange(const LogRequest& request) {
+  if (std::isinf(request.begin) && std::isinf(request.end)) return "";
   std::ostringstream text;
   text.precision(16);
-  text << "between the stamps " << request.begin << " and " << request.end;
+  text << " between the stamps " << request.begin << " and " << request.end;
   return text.str();
 }
 
@@ -42,10 +55,10 @@ Log readLog(const LogRequest& request) {
   if (!std::ifstream(request.file)) {
     throw std::invalid_argument("log '" + request.file + "': cannot be opened");
   }
-  Log log = isBag(request.file) ? readBagLog(request) : readCarmenLog(request);
+  Log log = isBag(request.file) ? readBag(request) : readCarmenLog(request);
   if (log.scans.empty()) {
     std::string message =
-        "log '" + request.file + "': no usable laser scan " + describeRange(request);
+        "log '" + request.file + "': no usable laser scan" + describeRange(request);
     for (const auto& warning : log.warnings) message += "; " + warning;
     throw std::invalid_argument(message);
   }

@@ -13,7 +13,7 @@
 namespace adaptive_localization {
 namespace {
 
-const cv::Scalar kReferenceColour(200, 90, 0);  // blue, green, red
+const cv::Scalar kReferenceColour(230, 160, 60);  // blue, green, red
 const cv::Scalar kEstimateColour(30, 30, 220);
 const cv::Scalar kStartColour(40, 150, 40);
 
@@ -51,8 +51,8 @@ void savePlot(const OccupancyGrid& map, const Run& run, const Metrics& metrics,
 
   Canvas canvas(map, shown);
   canvas.drawMap(map);
-  canvas.drawPath(paths.reference, kReferenceColour, 3);
-  canvas.drawPath(paths.estimate, kEstimateColour, 1);
+  canvas.drawPath(paths.reference, kReferenceColour, 5);
+  canvas.drawPath(paths.estimate, kEstimateColour, 2);
   if (!paths.estimate.empty()) canvas.drawDot(paths.estimate.front(), kStartColour);
   canvas.drawScaleBar();
   std::vector<LegendRow> rows;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <string>
 
 namespace adaptive_localization {
 namespace {
@@ -56,13 +57,19 @@ Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
   run.steps.reserve(log.scans.size());
   const auto start = Clock::now();
   const double cpu_at_start = cpuSeconds();
+  std::string first_problem;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     try {
       run.steps.push_back(step(log.scans[i], localizer));
     } catch (const std::invalid_argument& error) {
-      run.warnings.push_back("scan " + std::to_string(i + 1) + " skipped: " + error.what());
+      if (run.skipped++ == 0) first_problem = error.what();
     }
     if (progress) progress(i + 1);
+  }
+  if (run.steps.empty()) throw std::invalid_argument("no usable scan: " + first_problem);
+  if (run.skipped > 0) {
+    run.warnings.push_back("scans that cannot be used, skipped: " + std::to_string(run.skipped) +
+                           "; the first: " + first_problem);
   }
   run.wall_s = secondsSince(start);
   run.cpu_s = cpuSeconds() - cpu_at_start;

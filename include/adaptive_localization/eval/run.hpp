@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "adaptive_localization/eval/log.hpp"
@@ -27,6 +28,7 @@ struct RunStep {
 struct Run {
   std::vector<RunStep> steps;
   std::vector<std::string> warnings;
+  int skipped{0};           // scans that could not be used
   double wall_s{0.0};       // from the first scan to the last
   double cpu_s{0.0};        // the same, all threads
   double peak_rss_mb{0.0};  // of the whole process
@@ -36,7 +38,7 @@ struct Run {
 using RunProgress = std::function<void(std::size_t)>;
 
 /// Drives the localizer, which has its prior already, through all scans of the log, as fast as it
-/// goes. A scan that cannot be used is left out, with a warning.
+/// goes. Scans that cannot be used are left out, with a warning; std::invalid_argument if all are.
 Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress = {});
 
 }  // namespace adaptive_localization
