@@ -10,8 +10,9 @@
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "usage: draw_map WORLD.yaml RESOLUTION MAP\n"
-                 "Writes MAP.pgm and MAP.yaml from the floor plan; RESOLUTION in metres per cell.\n";
+    std::cerr
+        << "usage: draw_map WORLD.yaml RESOLUTION MAP\n"
+           "Writes MAP.pgm and MAP.yaml from the floor plan; RESOLUTION in metres per cell.\n";
     return 1;
   }
   try {

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulator_node.hpp"
+
+#include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/LaserScan.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "conversions.hpp"
+#include "ros_params.hpp"
+#include "truth_markers.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kClockEpoch = 100.0;  // s: simulated stamps are not near 0, which means "unset"
+constexpr double kTick = 0.01;         // s of real time between two looks at the clock
+
+SimulatorNodeOptions readOptions(const Parameters& parameters) {
+  SimulatorNodeOptions defaults;
+  ros::param::get("/use_sim_time", defaults.publish_clock);
+  const auto options = parameters.read(defaults);
+  if (options.speed != 1.0 && !options.publish_clock) {
+    throw std::invalid_argument("option 'speed': got " + std::to_string(options.speed) +
+                                " without publish_clock, expected 1");
+  }
+  return options;
+}
+
+nav_msgs::Odometry toMessage(const Pose2& pose, const Velocity& velocity) {
+  nav_msgs::Odometry message;
+  message.pose.pose = toPoseMessage(pose);
+  message.twist.twist.linear.x = velocity.forward;
+  message.twist.twist.angular.z = velocity.turn;
+  return message;
+}
+
+}  // namespace
+
+SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node)
+    : SimulatorNode(node, private_node, readParameters(private_node)) {}
+
+SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
+                             const Parameters& parameters)
+    : options_(readOptions(parameters)),
+      simulation_(Simulation::load(SimulationOptions::from(parameters))),
+      epoch_(options_.publish_clock ? ros::Time(kClockEpoch) : ros::Time::now()),
+      wall_epoch_(ros::WallTime::now()) {
+  for (const auto& key : parameters.unknownKeys()) {
+    ROS_WARN("Unknown parameter '%s' is ignored", key.c_str());
+  }
+  if (options_.publish_clock) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
+  odometry_ = node.advertise<nav_msgs::Odometry>("odom", 10);
+  scan_ = node.advertise<sensor_msgs::LaserScan>("scan", 10);
+  truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", 10);
+  markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
+  if (options_.publish_laser_tf) publishLaserFrame();
+  command_ = node.subscribe("cmd_vel", 1, &SimulatorNode::onCommand, this);
+  kidnap_ = node.subscribe("kidnap", 1, &SimulatorNode::onKidnap, this);
+  kidnap_random_ = node.advertiseService("kidnap_random", &SimulatorNode::onKidnapRandom, this);
+  reset_ = node.advertiseService("reset_positions", &SimulatorNode::onReset, this);
+  timer_ = node.createWallTimer(ros::WallDuration(kTick),
+                                [this](const ros::WallTimerEvent&) { advance(); });
+  reportPlace("Simulated Pioneer 3-DX starts");
+}
+
+void SimulatorNode::advance() {
+  constexpr double kCatchUp = 0.2;  // s of real time; what a slow machine lost before stays lost
+  double behind =
+      (ros::WallTime::now() - wall_epoch_).toSec() - simulation_.time() / options_.speed;
+  if (behind > kCatchUp) {
+    wall_epoch_ += ros::WallDuration(behind - kCatchUp);
+    behind = kCatchUp;
+  }
+  for (auto steps = std::floor(behind * options_.speed / Simulation::kStep); steps >= 1.0;
+       --steps) {
+    const Sensed sensed = simulation_.step();
+    if (options_.publish_clock) {
+      rosgraph_msgs::Clock clock;
+      clock.clock = toRosTime(simulation_.time());
+      clock_.publish(clock);
+    }
+    publish(sensed);
+  }
+}
+
+/// Odometry first, so that whoever gets the scan can place it.
+void SimulatorNode::publish(const Sensed& sensed) {
+  if (sensed.odometry) publishOdometry(*sensed.odometry);
+  if (!sensed.scan) return;
+  publishScan(*sensed.scan);
+  if (markers_.getNumSubscribers() > 0) publishMarkers();
+}
+
+void SimulatorNode::publishOdometry(const OdometryReading& reading) {
+  nav_msgs::Odometry message = toMessage(reading.T_odom_base, reading.velocity);
+  message.header.stamp = toRosTime(reading.stamp);
+  message.header.frame_id = options_.odom_frame_id;
+  message.child_frame_id = options_.base_frame_id;
+
+  geometry_msgs::TransformStamped transform;
+  transform.header = message.header;
+  transform.child_frame_id = message.child_frame_id;
+  transform.transform = toTransformMessage(reading.T_odom_base);
+  tf_.sendTransform(transform);
+  odometry_.publish(message);
+
+  message.header.frame_id = options_.global_frame_id;
+  const nav_msgs::Odometry truth = toMessage(simulation_.truth(), simulation_.velocity());
+  message.pose = truth.pose;
+  message.twist = truth.twist;
+  truth_.publish(message);
+}
+
+void SimulatorNode::publishScan(const LaserScan& scan) {
+  sensor_msgs::LaserScan message;
+  message.header.stamp = toRosTime(scan.stamp);
+  message.header.frame_id = options_.laser_frame;
+  const auto last = static_cast<double>(scan.ranges.size() - 1);
+  message.angle_min = static_cast<float>(scan.angle_min);
+  message.angle_max = static_cast<float>(scan.angle_min + last * scan.angle_increment);
+  message.angle_increment = static_cast<float>(scan.angle_increment);
+  message.time_increment = static_cast<float>(scan.time_increment);
+  message.scan_time = 1.0F / 75.0F;
+  message.range_min = static_cast<float>(scan.range_min);
+  message.range_max = static_cast<float>(scan.range_max);
+  message.ranges = scan.ranges;
+  scan_.publish(message);
+}
+
+void SimulatorNode::publishMarkers() {
+  std_msgs::Header header;
+  header.stamp = toRosTime(simulation_.time());
+  header.frame_id = options_.global_frame_id;
+  markers_.publish(truthMarkers(header, simulation_.truth(), simulation_.people()));
+}
+
+void SimulatorNode::publishLaserFrame() {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = epoch_;
+  transform.header.frame_id = options_.base_frame_id;
+  transform.child_frame_id = options_.laser_frame;
+  transform.transform = toTransformMessage(simulation_.laserMount());
+  transform.transform.translation.z = options_.laser_z;
+  static_tf_.sendTransform(transform);
+}
+
+void SimulatorNode::onCommand(const geometry_msgs::Twist& message) {
+  simulation_.command({message.linear.x, message.angular.z});
+}
+
+void SimulatorNode::onKidnap(const geometry_msgs::PoseStamped& message) {
+  const Pose2 pose = toPose2(message.pose);
+  if (withoutLeadingSlash(message.header.frame_id) != options_.global_frame_id || !isFinite(pose)) {
+    ROS_WARN("kidnap: got a pose in frame '%s', expected a finite one in '%s'; ignored",
+             message.header.frame_id.c_str(), options_.global_frame_id.c_str());
+    return;
+  }
+  simulation_.kidnap(pose);
+  reportPlace("Robot carried");
+}
+
+bool SimulatorNode::onKidnapRandom(Empty::Request&, Empty::Response&) {
+  simulation_.kidnapRandom();
+  reportPlace("Robot carried");
+  return true;
+}
+
+bool SimulatorNode::onReset(Empty::Request&, Empty::Response&) {
+  simulation_.reset();
+  reportPlace("Robot carried back");
+  return true;
+}
+
+void SimulatorNode::reportPlace(const char* what) const {
+  const Pose2& truth = simulation_.truth();
+  ROS_INFO("%s: %.2f m, %.2f m, %.0f deg", what, truth.x, truth.y, truth.theta * 180.0 / kPi);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <string>
+
+#include "adaptive_localization/sim/simulation.hpp"
+
+namespace adaptive_localization {
+
+struct SimulatorNodeOptions {
+  bool publish_clock{false};
+  double speed{1.0};
+  bool publish_laser_tf{true};
+  double laser_z{0.30};
+  std::string laser_frame{"laser"};
+  std::string odom_frame_id{"odom"};
+  std::string base_frame_id{"base_link"};
+  std::string global_frame_id{"map"};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("publish_clock", publish_clock,
+           "Make the time: publish /clock. On by itself where /use_sim_time is true.");
+    option("speed", speed, Range{0.01, 100}, "",
+           "Simulated over real time; other than 1 only with publish_clock.");
+    option("publish_laser_tf", publish_laser_tf,
+           "Publish the laser's place on /tf_static; off where a robot_state_publisher does.");
+    option("laser_z", laser_z, Range{-10, 10}, "m", "The laser's height above the floor.");
+    option("laser_frame", laser_frame, Choices{}, "Frame of the scans.");
+    option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
+    option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
+    option("global_frame_id", global_frame_id, Choices{}, "Frame of the truth.");
+  }
+};
+
+/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan and the truth
+/// out. Topic kidnap carries the robot to a pose, service kidnap_random anywhere, reset_positions
+/// to the start. One thread, no locks.
+class SimulatorNode {
+ public:
+  /// Throws std::invalid_argument naming what is wrong with a parameter or the world.
+  SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node);
+
+ private:
+  using Empty = std_srvs::Empty;
+
+  explicit SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
+                         const Parameters& parameters);
+  void advance();
+  void publish(const Sensed& sensed);
+  void publishOdometry(const OdometryReading& reading);
+  void publishScan(const LaserScan& scan);
+  void publishMarkers();
+  void publishLaserFrame();
+  void onCommand(const geometry_msgs::Twist& message);
+  void onKidnap(const geometry_msgs::PoseStamped& message);
+  bool onKidnapRandom(Empty::Request& request, Empty::Response& response);
+  bool onReset(Empty::Request& request, Empty::Response& response);
+  void reportPlace(const char* what) const;
+  ros::Time toRosTime(double simulated) const { return epoch_ + ros::Duration(simulated); }
+
+  SimulatorNodeOptions options_;
+  Simulation simulation_;
+  ros::Time epoch_;           // when simulated time was 0
+  ros::WallTime wall_epoch_;  // when it should have been, at the speed asked for
+  tf2_ros::TransformBroadcaster tf_;
+  tf2_ros::StaticTransformBroadcaster static_tf_;
+  ros::Publisher clock_;
+  ros::Publisher odometry_;
+  ros::Publisher scan_;
+  ros::Publisher truth_;
+  ros::Publisher markers_;
+  ros::Subscriber command_;
+  ros::Subscriber kidnap_;
+  ros::ServiceServer kidnap_random_;
+  ros::ServiceServer reset_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace adaptive_localization
