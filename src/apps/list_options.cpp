@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints every option there is, as tables for the README or as a parameter file of one core.
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "../ros/node_options.hpp"
+#include "adaptive_localization/localizer.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr auto kUsage = R"(usage: list_options                               tables in Markdown
+       list_options --yaml CORE [--preset seed]   parameter file with the values of that core
+)";
+
+std::string rangeText(const Range& range) {
+  std::ostringstream text;
+  const bool bounded = range.high < std::numeric_limits<double>::infinity();
+  if (range.low == kPositive.low) {
+    text << "> 0";
+  } else if (bounded) {
+    text << std::setprecision(4) << range.low << " to " << range.high;
+  } else if (range.low > -std::numeric_limits<double>::infinity()) {
+    text << ">= " << range.low;
+  }
+  return text.str();
+}
+
+/// The shortest text that reads back as the same number; other values as they are.
+std::string exactText(const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  for (int digits = 6; number && digits <= 17; ++digits) {
+    std::ostringstream text;
+    text << std::setprecision(digits) << *number;
+    if (std::stod(text.str()) == *number) return text.str();
+  }
+  return toText(value);
+}
+
+/// For people: four digits are enough.
+std::string shortText(const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  if (!number) return toText(value);
+  std::ostringstream text;
+  text << std::setprecision(4) << *number;
+  return text.str();
+}
+
+/// What may stand there: one of some words, or a range with its unit.
+std::string allowed(const OptionDescription& option) {
+  std::string words;
+  for (const auto& choice : option.choices) words += (words.empty() ? "" : ", ") + choice;
+  if (!words.empty()) return words;
+  const bool number = option.value.index() == 1 || option.value.index() == 2;
+  const std::string range = number ? rangeText(option.range) : "";
+  return range + (range.empty() || option.unit.empty() ? "" : " ") + option.unit;
+}
+
+void printTable(const std::string& title, const std::vector<OptionDescription>& options) {
+  std::cout << "**" << title
+            << "**\n\n| option | default | allowed | meaning |\n|---|---|---|---|\n";
+  for (const auto& option : options) {
+    std::cout << "| `" << option.key << "` | " << shortText(option.value) << " | "
+              << allowed(option) << " | " << option.sentence << " |\n";
+  }
+  std::cout << '\n';
+}
+
+void printTables() {
+  const FilterRegistry registry;
+  std::cout << "| core | what it is |\n|---|---|\n";
+  std::vector<OptionDescription> of_filters;
+  std::set<std::string> seen;
+  for (const auto& name : registry.names()) {
+    const FilterDescription& filter = registry.find(name);
+    std::cout << "| `" << name << "` | " << filter.sentence << " |\n";
+    for (const auto& option : filter.options) {
+      if (seen.insert(option.key).second) of_filters.push_back(option);
+    }
+  }
+  std::cout << '\n';
+  printTable("Localizer", describe(LocalizerOptions{}));
+  printTable("Scans", describe(ScanOptions{}));
+  printTable("Filters", of_filters);
+  printTable("Confidence and status", describe(ConfidenceOptions{}));
+  printTable("Node only", describe(NodeOptions{}));
+}
+
+void printYaml(const std::string& core, const std::string& preset) {
+  Parameters parameters;
+  parameters.set("filter", OptionValue{core});
+  parameters.set("preset", OptionValue{preset});
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  const Localizer localizer(parameters, cell);
+  std::cout << "# Core " << core << ", preset " << preset << ": "
+            << FilterRegistry{}.find(core).sentence << '\n';
+  for (const auto& option : localizer.effectiveOptions()) {
+    if (option.key == "plugins") continue;
+    const std::string limits = allowed(option);
+    std::cout << "\n# " << option.sentence << (limits.empty() ? "" : " [" + limits + "]") << '\n'
+              << option.key << ": " << exactText(option.value) << '\n';
+  }
+}
+
+void listOptions(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return printTables();
+  const bool has_preset = arguments.size() == 4 && arguments[2] == "--preset";
+  if (arguments[0] != "--yaml" || (arguments.size() != 2 && !has_preset)) {
+    throw std::invalid_argument(kUsage);
+  }
+  printYaml(arguments[1], has_preset ? arguments[3] : "recommended");
+}
+
+}  // namespace
+}  // namespace adaptive_localization
+
+int main(int argc, char** argv) {
+  try {
+    adaptive_localization::listOptions({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "list_options: " << error.what() << '\n';
+    return 1;
+  }
+}

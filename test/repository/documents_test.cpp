@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is generated from the options in the source is up to date; scripts/update_docs writes it.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/localizer.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr auto kAdvice = "run scripts/update_docs";
+
+std::string outputOf(const std::string& arguments) {
+  const std::string command = std::string(LIST_OPTIONS) + " " + arguments + " 2>&1";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  for (int c = std::fgetc(pipe.get()); c != EOF; c = std::fgetc(pipe.get())) {
+    text += static_cast<char>(c);
+  }
+  return text;
+}
+
+std::string contentsOf(const std::string& file) {
+  std::ifstream stream(std::string(SOURCE_DIR) + "/" + file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string fileOf(const std::string& core, const std::string& preset) {
+  return "config/filters/" + core + (preset == "seed" ? "_seed" : "") + ".yaml";
+}
+
+/// Calls check(core, preset) for all there are.
+template <class Check>
+void forEachPreset(const Check& check) {
+  for (const auto& core : FilterRegistry().names()) {
+    for (const std::string preset : {"recommended", "seed"}) check(core, preset);
+  }
+}
+
+}  // namespace
+
+TEST(Documents, ReadmeHoldsTheTablesOfOptions) {
+  const std::string tables = outputOf("");
+  ASSERT_THAT(tables, HasSubstr("`laser_max_beams`"));
+  const std::string readme = contentsOf("README.md");
+  EXPECT_NE(readme.find("<!-- options -->\n" + tables + "<!-- end of options -->"),
+            std::string::npos)
+      << kAdvice;
+}
+
+TEST(Documents, ParameterFilesAreUpToDate) {
+  forEachPreset([](const std::string& core, const std::string& preset) {
+    EXPECT_EQ(contentsOf(fileOf(core, preset)), outputOf("--yaml " + core + " --preset " + preset))
+        << fileOf(core, preset) << ": " << kAdvice;
+  });
+}
+
+TEST(Documents, ParameterFilesGiveWhatThePresetGives) {
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  forEachPreset([&](const std::string& core, const std::string& preset) {
+    Parameters named;
+    named.set("filter", OptionValue{core});
+    named.set("preset", OptionValue{preset});
+    Parameters loaded;
+    loaded.load(std::string(SOURCE_DIR) + "/" + fileOf(core, preset));
+    const auto expected = Localizer(named, cell).effectiveOptions();
+    const Localizer localizer(loaded, cell);
+    const auto actual = localizer.effectiveOptions();
+    EXPECT_TRUE(localizer.unknownKeys().empty());
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+      EXPECT_EQ(toText(actual[i].value), toText(expected[i].value)) << actual[i].key;
+    }
+  });
+}
+
+TEST(Documents, ListOptionsRefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(outputOf("--yaml nosuch"), HasSubstr("'nosuch'"));
+  EXPECT_THAT(outputOf("--yaml kld --preset nosuch"), HasSubstr("'nosuch'"));
+  EXPECT_THAT(outputOf("--nosuch"), HasSubstr("usage:"));
+}
+
+}  // namespace adaptive_localization
