@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -21,6 +22,9 @@ void check(const LaserScan& message) {
   if (message.ranges.size() > 1 && !increments) {
     reject("angle_increment", message.angle_increment, "a finite angle other than 0");
   }
+  const auto steps = static_cast<double>(message.ranges.size() - 1);
+  const double last = message.angle_min + steps * message.angle_increment;
+  if (steps > 0.0 && !std::isfinite(last)) reject("angle of the last beam", last, "a finite angle");
   if (!(message.range_min >= 0.0)) reject("range_min", message.range_min, "0 m or more");
   if (!(message.range_max > message.range_min)) {
     reject("range_max", message.range_max, "more than range_min");
@@ -47,9 +51,10 @@ LaserMount LaserMount::upsideDown(const Pose2& T_base_sensor) {
 Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options) {
   check(message);
   const double min_range = std::max(message.range_min, options.laser_min_range);
-  const double max_range = options.laser_max_range > 0.0
-                               ? std::min(message.range_max, options.laser_max_range)
-                               : message.range_max;
+  // a driver may say that its laser has no limit; the models need a number
+  const double limit = std::min<double>(message.range_max, std::numeric_limits<float>::max());
+  const double max_range =
+      options.laser_max_range > 0.0 ? std::min(limit, options.laser_max_range) : limit;
   const auto beams = static_cast<Eigen::Index>(message.ranges.size());
   const Eigen::Index used = std::min<Eigen::Index>(beams, options.laser_max_beams);
 
@@ -71,7 +76,9 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
       ++scan.invalid;
       continue;
     }
-    const double angle = message.angle_min + static_cast<double>(i) * message.angle_increment;
+    const double angle = i == 0
+                             ? message.angle_min
+                             : message.angle_min + static_cast<double>(i) * message.angle_increment;
     const Eigen::Vector2d direction =
         mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     const auto bearing = static_cast<float>(std::atan2(direction.y(), direction.x()));
