@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/distance_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/random_grid.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+double bruteForce(const OccupancyGrid& grid, const Cell& from) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
+    const Cell cell = grid.lattice().cell(i);
+    if (grid.isOccupied(cell)) {
+      nearest = std::min(nearest, std::hypot(cell.x - from.x, cell.y - from.y));
+    }
+  }
+  return nearest * grid.lattice().resolution();
+}
+
+TEST(DistanceField, IsTheBruteForceDistanceOnRandomGrids) {
+  Rng rng(1);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Lattice lattice(1 + static_cast<int>(rng.below(40)), 1 + static_cast<int>(rng.below(30)),
+                          rng.uniform(0.02, 0.5), {1.0, 2.0, 0.5});
+    const auto grid = randomGrid(rng, lattice, 0.02);
+    const DistanceField field(*grid);
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+      const double expected = bruteForce(*grid, lattice.cell(i));
+      if (expected > 1e6) continue;  // no obstacle at all
+      ASSERT_NEAR(field.at(lattice.cell(i)), expected, 0.51 * field.metresPerStep());
+    }
+  }
+}
+
+TEST(DistanceField, IsSaturatedWithoutObstaclesAndOutside) {
+  const DistanceField empty(*toyWorld({"..", ".?"}, 0.1));
+  const double far = 65535 * empty.metresPerStep();
+  EXPECT_DOUBLE_EQ(empty.at(Cell{1, 1}), far);
+  const DistanceField full(*toyWorld({"##", "##"}, 0.1));
+  EXPECT_EQ(full.at(Cell{1, 1}), 0.0);
+  EXPECT_DOUBLE_EQ(full.at(Cell{2, 1}), far);
+  EXPECT_DOUBLE_EQ(full.at(Eigen::Vector2d(std::nan(""), 0.0)), far);
+}
+
+TEST(DistanceField, SaturatesInsteadOfOverflowing) {
+  const Lattice lattice(3000, 1, 1.0, {});
+  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kFree);
+  cells[0] = OccupancyGrid::kOccupied;
+  const DistanceField field(OccupancyGrid(lattice, cells));
+  EXPECT_DOUBLE_EQ(field.at(Cell{1000, 0}), 1000.0);
+  EXPECT_NEAR(field.at(Cell{2999, 0}), 1024.0, 0.1);
+}
+
+TEST(DistanceField, IsLookedUpByPointsOfATurnedMap) {
+  const auto map = toyWorld({"...", "...", "#.."}, 1.0, {5.0, 5.0, kPi / 2});
+  const DistanceField field(*map);
+  EXPECT_DOUBLE_EQ(field.at(Eigen::Vector2d(4.5, 5.5)), 0.0);  // the cell at the origin
+  EXPECT_DOUBLE_EQ(field.at(Eigen::Vector2d(4.5, 7.5)), 2.0);  // two columns on
+}
+
+}  // namespace
+}  // namespace adaptive_localization

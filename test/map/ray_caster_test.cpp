@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/ray_caster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "support/pose_matchers.hpp"
+#include "support/random_grid.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Where a ray enters the square of a cell, by the slab method in the lattice's frame; infinite if
+/// it does not. A ray that only grazes the square by less than `graze` does not enter it.
+double entry(const Lattice& lattice, const Cell& cell, const Pose2& T_map_ray, double graze) {
+  const Pose2 ray = lattice.toLattice(T_map_ray);
+  const double size = lattice.resolution();
+  double in = 0.0, out = std::numeric_limits<double>::infinity();
+  const std::array<std::array<double, 3>, 2> axes{
+      {{ray.x, std::cos(ray.theta), cell.x * size}, {ray.y, std::sin(ray.theta), cell.y * size}}};
+  for (const auto& [start, direction, low] : axes) {
+    const double a = (low - start) / direction;
+    const double b = (low + size - start) / direction;
+    in = std::max(in, std::min(a, b));
+    out = std::min(out, std::max(a, b));
+  }
+  return out - in > graze ? in : std::numeric_limits<double>::infinity();
+}
+
+double bruteForce(const OccupancyGrid& grid, const Pose2& ray, double max_range, double graze) {
+  double nearest = max_range;
+  for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
+    const Cell cell = grid.lattice().cell(i);
+    if (grid.isOccupied(cell)) nearest = std::min(nearest, entry(grid.lattice(), cell, ray, graze));
+  }
+  return nearest;
+}
+
+TEST(RayCaster, FindsTheFirstCellThatTheRayEnters) {
+  Rng rng(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Lattice lattice(25, 15, rng.uniform(0.05, 0.5), randomPose(rng, 5.0));
+    const auto grid = randomGrid(rng, lattice, 0.05);
+    const RayCaster caster(grid);
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Vector2d middle = lattice.centre({12, 7});
+      Pose2 ray = randomPose(rng, 20.0 * lattice.resolution());  // inside and outside
+      ray.x += middle.x();
+      ray.y += middle.y();
+      const double range = caster.range(ray, 15.0);
+      // at a corner that is grazed, rounding may decide either way
+      const double with = bruteForce(*grid, ray, 15.0, -1e-6);
+      const double without = bruteForce(*grid, ray, 15.0, 1e-6);
+      ASSERT_TRUE(std::abs(range - with) < 1e-6 || std::abs(range - without) < 1e-6)
+          << range << " instead of " << without << " from " << testing::PrintToString(ray);
+    }
+  }
+}
+
+TEST(RayCaster, IsExactAlongTheAxes) {
+  const auto map = toyWorld({"#####", "#...#", "#...#", "#...#", "#####"}, 1.0);
+  const RayCaster caster(map);
+  EXPECT_DOUBLE_EQ(caster.range({2.25, 2.75, 0.0}, 9.0), 1.75);
+  EXPECT_NEAR(caster.range({2.25, 2.75, kPi}, 9.0), 1.25, 1e-12);
+  EXPECT_NEAR(caster.range({2.25, 2.75, kPi / 2}, 9.0), 1.25, 1e-12);
+  EXPECT_NEAR(caster.range({2.25, 2.75, -kPi / 2}, 9.0), 1.75, 1e-12);
+}
+
+TEST(RayCaster, DoesNotSlipThroughADiagonalWall) {
+  const auto map = toyWorld({"...#", "..#.", ".#..", "#..."}, 1.0);
+  const RayCaster caster(map);
+  for (double y = 0.05; y < 3.0; y += 0.1) {
+    EXPECT_LT(caster.range({3.9, y, 3.0 * kPi / 4 + 0.01}, 9.0), 9.0) << y;
+  }
+}
+
+TEST(RayCaster, SeesTheNearSideOfTheWallAndNothingBeyondTheRange) {
+  const auto map = toyWorld({"....#"}, 1.0);
+  const RayCaster caster(map);
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 3.5);
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 3.4), 3.4);
+  EXPECT_DOUBLE_EQ(caster.range({4.5, 0.5, 0.0}, 9.0), 0.0);  // inside the wall
+}
+
+TEST(RayCaster, SeesThroughTheUnknownAndFromOutside) {
+  const auto map = toyWorld({"??#"}, 1.0);
+  const RayCaster caster(map);
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 1.5);
+  EXPECT_NEAR(caster.range({-3.0, 0.5, 0.0}, 9.0), 5.0, 1e-6);
+  EXPECT_NEAR(caster.range({2.5, 4.0, -kPi / 2}, 9.0), 3.0, 1e-6);
+  EXPECT_DOUBLE_EQ(caster.range({-3.0, 0.5, kPi}, 9.0), 9.0);
+  EXPECT_DOUBLE_EQ(caster.range({-3.0, 5.0, 0.0}, 9.0), 9.0);
+}
+
+TEST(RayCaster, GivesTheSameRangesInATurnedMap) {
+  Rng rng(2);
+  const Pose2 origin{-3.0, 7.0, 2.1};
+  const auto straight = asymmetricWorld();
+  const auto turned = asymmetricWorld(origin);
+  int equal = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose2 ray{rng.uniform(0.0, 10.0), rng.uniform(0.0, 5.0), rng.uniform(-kPi, kPi)};
+    const double a = RayCaster(straight).range(ray, 20.0);
+    const double b = RayCaster(turned).range(origin * ray, 20.0);
+    equal += std::abs(a - b) < 1e-6 ? 1 : 0;
+  }
+  EXPECT_GE(equal, 498);  // a grazed corner may fall either way
+}
+
+TEST(RayCaster, EndsWhateverItIsGiven) {
+  const RayCaster caster(asymmetricWorld());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf, 1e300, -1e300}) {
+    EXPECT_EQ(caster.range({bad, 1.0, 0.1}, 5.0), 5.0) << bad;
+    EXPECT_EQ(caster.range({1.0, bad, 0.1}, 5.0), 5.0) << bad;
+    EXPECT_GE(caster.range({1.0, 1.0, bad}, 5.0), 0.0) << bad;
+    EXPECT_LE(caster.range({1.0, 1.0, bad}, 5.0), 5.0) << bad;
+  }
+  EXPECT_LT(caster.range({1.0, 1.0, 0.1}, inf), 20.0);
+  EXPECT_EQ(caster.range({-1.0, -1.0, kPi}, inf), inf);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
