@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace adaptive_localization {
@@ -23,7 +24,7 @@ Numbers numbers(const YAML::Node& node, const std::string& key, std::size_t coun
     reject(key, expected);
   }
   bool good = values.size() == count;
-  for (const double value : values) good = good && std::abs(value) < 1e5;  // NaN fails too
+  for (const double value : values) good = good && std::abs(value) < 1e4;  // NaN fails too
   if (!good) reject(key, expected);
   return values;
 }

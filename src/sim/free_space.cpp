@@ -19,8 +19,8 @@ constexpr std::array<Cell, 8> kSteps{
 
 Lattice latticeOver(const Bounds& bounds) {
   const Eigen::Vector2d size = (bounds.high - bounds.low) / kCell;
-  if (!(size.x() * size.y() < 1e9)) {
-    throw std::invalid_argument("world: expected one of less than 1e9 cells of 0.05 m");
+  if (!(size.x() * size.y() < 1e8)) {
+    throw std::invalid_argument("world: expected one of less than 1e8 cells of 0.05 m");
   }
   return {static_cast<int>(size.x()) + 1,
           static_cast<int>(size.y()) + 1,

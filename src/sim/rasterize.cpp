@@ -19,9 +19,9 @@ Lattice latticeFor(const FloorPlan& plan, double resolution, int margin) {
   const double y = down(bounds.low.y());
   const double width = up(bounds.high.x()) - x;
   const double height = up(bounds.high.y()) - y;
-  if (!(width * height < 1e9)) {
+  if (!(width * height < 1e8)) {
     throw std::invalid_argument("map resolution: got " + std::to_string(resolution) +
-                                ", expected a map of less than 1e9 cells");
+                                ", expected a map of less than 1e8 cells");
   }
   return {static_cast<int>(width),
           static_cast<int>(height),

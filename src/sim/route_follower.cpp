@@ -11,7 +11,9 @@ namespace {
 constexpr double kLookAhead = 0.6;  // m
 constexpr double kArrived = 0.2;    // m
 constexpr double kStep = 0.05;      // m between the points of a way
-constexpr double kPatience = 4.0;   // s behind a person
+constexpr double kPatience = 4.0;   // s without moving, before it backs off and drives elsewhere
+constexpr double kBackOff = 1.0;    // s
+constexpr double kMoved = 0.01;     // m
 
 double length(const std::vector<Eigen::Vector2d>& way) {
   double sum = 0.0;
@@ -94,6 +96,14 @@ bool RouteFollower::isBlocked(const Pose2& T_map_base,
 Velocity RouteFollower::steer(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& people,
                               double dt) {
   const Eigen::Vector2d here(T_map_base.x, T_map_base.y);
+  if ((here - last_place_).norm() > kMoved) {
+    last_place_ = here;
+    waiting_ = 0.0;
+  }
+  if (backing_ > 0.0) {
+    backing_ -= dt;
+    return {-options_.route_speed / 2.0, 0.0};
+  }
   if (way_.empty()) begin(here);
   if ((way_.back() - here).norm() < kArrived) {
     ++reached_;
@@ -107,16 +117,14 @@ Velocity RouteFollower::steer(const Pose2& T_map_base, const std::vector<Eigen::
       std::min(std::max(2.0 * aside, -options_.route_turn_rate), options_.route_turn_rate);
   constexpr double kTurnFirst = 0.5;  // rad
   if (std::abs(aside) > kTurnFirst) return {0.0, turn};
-  if (!isBlocked(T_map_base, people)) {
-    waiting_ = 0.0;
-    return {options_.route_speed * (1.0 - std::abs(aside) / kTurnFirst), turn};
-  }
   waiting_ += dt;
   if (waiting_ > kPatience) {
     waiting_ = 0.0;
+    backing_ = kBackOff;
     proceed(here);
   }
-  return {};
+  if (isBlocked(T_map_base, people)) return {};
+  return {options_.route_speed * (1.0 - std::abs(aside) / kTurnFirst), turn};
 }
 
 }  // namespace adaptive_localization

@@ -9,7 +9,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kBin = 0.5;  // m
+constexpr double kSmallestBin = 0.5;  // m
+constexpr double kMostBins = 512.0;   // along the longer side
 
 Lattice latticeAround(const std::vector<Segment>& segments) {
   Polygon ends;
@@ -18,20 +19,22 @@ Lattice latticeAround(const std::vector<Segment>& segments) {
     ends.push_back(segment.b);
   }
   const Bounds bounds = boundsOf(ends);
-  const Eigen::Vector2d size = (bounds.high - bounds.low) / kBin;
+  const Eigen::Vector2d extent = bounds.high - bounds.low;
+  const double bin = std::max(kSmallestBin, extent.maxCoeff() / kMostBins);
+  const Eigen::Vector2d size = extent / bin;
   return {static_cast<int>(size.x()) + 2,
           static_cast<int>(size.y()) + 2,
-          kBin,
-          {bounds.low.x() - kBin / 2.0, bounds.low.y() - kBin / 2.0, 0.0}};
+          bin,
+          {bounds.low.x() - bin / 2.0, bounds.low.y() - bin / 2.0, 0.0}};
 }
 
 /// Distance along a ray to the next bin border of one axis, and from border to border.
 struct Borders {
-  Borders(double start, double direction)
-      : step(direction < 0.0 ? -1 : 1), spacing(kBin / std::abs(direction)) {
-    const double low = std::floor(start / kBin) * kBin;
+  Borders(double start, double direction, double bin)
+      : step(direction < 0.0 ? -1 : 1), spacing(bin / std::abs(direction)) {
+    const double low = std::floor(start / bin) * bin;
     if (direction != 0.0)
-      next = (direction > 0.0 ? low + kBin - start : start - low) * spacing / kBin;
+      next = (direction > 0.0 ? low + bin - start : start - low) * spacing / bin;
   }
 
   int step;
@@ -74,8 +77,8 @@ double SegmentIndex::range(const Pose2& ray, double max_range) const {
   if (!lattice_.contains(cell)) return std::min(max_range, nearestHit(all_, start, direction));
 
   const Pose2 local = lattice_.toLattice(ray);
-  Borders columns(local.x, direction.x());
-  Borders rows(local.y, direction.y());
+  Borders columns(local.x, direction.x(), lattice_.resolution());
+  Borders rows(local.y, direction.y(), lattice_.resolution());
   double nearest = max_range;
   while (lattice_.contains(cell)) {
     nearest = std::min(nearest, nearestHit(bins_[lattice_.index(cell)], start, direction));

@@ -30,7 +30,8 @@ class RouteFollower {
   RouteFollower(std::shared_ptr<const FreeSpace> free_space, std::vector<Eigen::Vector2d> route,
                 const RouteOptions& options, Rng rng);
 
-  /// What to command now; to be asked again after dt seconds. Stops for people in front of it.
+  /// What to command now; to be asked again after dt seconds. Stops for people in front of it; what
+  /// stays in the way makes it back off and take the next way-point.
   Velocity steer(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& people, double dt);
 
   /// Starts anew with the way-point that is nearest by way: the robot has been carried.
@@ -54,7 +55,9 @@ class RouteFollower {
   std::vector<Eigen::Vector2d> way_;  // to the target, dense; empty: to be chosen
   std::size_t next_{0};               // how far along the way the robot is
   int reached_{0};
-  double waiting_{0.0};  // s
+  Eigen::Vector2d last_place_{0.0, 0.0};
+  double waiting_{0.0};  // s without moving
+  double backing_{0.0};  // s left to drive backward
 };
 
 }  // namespace adaptive_localization

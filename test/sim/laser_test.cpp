@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/laser.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace adaptive_localization {
+namespace {
+
+LaserOptions exact() {
+  LaserOptions options;
+  options.laser_noise = options.laser_bias = options.laser_resolution = 0.0;
+  options.laser_mixed = options.laser_grazing = options.laser_short = options.laser_dazzle = 0.0;
+  return options;
+}
+
+/// A round room: every ray from its centre is as long.
+Laser::Caster roundRoom(double radius) {
+  return [radius](const Pose2&, double limit) { return std::min(radius, limit); };
+}
+
+/// A wall across x = 3 up to y = 0 and one across x = 6 above it.
+double twoWalls(const Pose2& ray, double limit) {
+  const double c = std::cos(ray.theta);
+  if (c <= 1e-9) return limit;
+  const double near = (3.0 - ray.x) / c;
+  const double range = ray.y + near * std::sin(ray.theta) < 0.0 ? near : (6.0 - ray.x) / c;
+  return std::min(range, limit);
+}
+
+TEST(Laser, SendsTheBeamsOfAnLms291) {
+  Laser laser(exact(), Rng(1));
+  const LaserScan scan = laser.scan({}, roundRoom(5.0));
+  EXPECT_EQ(scan.ranges.size(), 181U);
+  EXPECT_DOUBLE_EQ(scan.angle_min, -kPi / 2.0);
+  EXPECT_NEAR(scan.angle_increment, kPi / 180.0, 1e-15);
+  EXPECT_NEAR(scan.time_increment, 37.0e-6, 0.1e-6);
+  EXPECT_DOUBLE_EQ(scan.range_max, 81.0);
+  EXPECT_THAT(scan.ranges, testing::Each(5.0F));
+}
+
+TEST(Laser, AlternatesHalfScansWhenInterlaced) {
+  LaserOptions options = exact();
+  options.laser_interlaced = true;
+  Laser laser(options, Rng(1));
+  for (int round = 0; round < 3; ++round) {
+    const LaserScan whole = laser.scan({}, roundRoom(5.0));
+    const LaserScan half = laser.scan({}, roundRoom(5.0));
+    EXPECT_EQ(whole.ranges.size(), 181U);
+    EXPECT_EQ(half.ranges.size(), 180U);
+    EXPECT_NEAR(half.angle_min * 180.0 / kPi, -89.5, 1e-9);
+    EXPECT_NEAR(half.angle_increment, kPi / 180.0, 1e-15);
+  }
+}
+
+TEST(Laser, SitsWhereItIsMounted) {
+  Laser laser(exact(), Rng(1));
+  const LaserScan scan = laser.scan({1.0, -2.0, 0.0}, twoWalls);
+  EXPECT_NEAR(scan.ranges[90], 3.0 - 1.021, 1e-6);
+}
+
+TEST(Laser, NoiseBiasAndRoundingAreThoseGiven) {
+  LaserOptions options = exact();
+  options.laser_noise = 0.010;
+  options.laser_bias = 0.035;
+  options.laser_resolution = 0.01;
+  double sum_of_biases = 0.0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Laser laser(options, Rng(seed));
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int kScans = 20;
+    for (int i = 0; i < kScans; ++i) {
+      for (const double range : laser.scan({}, roundRoom(5.0)).ranges) {
+        ASSERT_NEAR(range * 100.0, std::nearbyint(range * 100.0), 1e-4);
+        sum += range - 5.0;
+        squares += (range - 5.0) * (range - 5.0);
+      }
+    }
+    const double count = 181.0 * kScans;
+    const double bias = sum / count;
+    EXPECT_LE(std::abs(bias), 0.036);
+    EXPECT_NEAR(std::sqrt(squares / count - bias * bias), std::hypot(0.010, 0.01 / std::sqrt(12.0)),
+                0.0015);
+    sum_of_biases += std::abs(bias);
+  }
+  EXPECT_NEAR(sum_of_biases / 50.0, 0.0175, 0.006);
+}
+
+TEST(Laser, SaysWhatItCannotMeasure) {
+  LaserOptions options = exact();
+  Laser far(options, Rng(1));
+  EXPECT_THAT(far.scan({}, roundRoom(100.0)).ranges, testing::Each(INFINITY));
+  options.laser_max_range = 8.0;
+  Laser millimetres(options, Rng(1));
+  const LaserScan scan = millimetres.scan({}, roundRoom(9.0));
+  EXPECT_THAT(scan.ranges, testing::Each(INFINITY));
+  EXPECT_NEAR(scan.range_max, 8.1, 1e-9);
+
+  options.laser_dazzle = 0.1;
+  Laser dazzled(options, Rng(1));
+  int invalid = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (const float range : dazzled.scan({}, roundRoom(5.0)).ranges) invalid += std::isnan(range);
+  }
+  EXPECT_NEAR(invalid, 362, 60);
+}
+
+TEST(Laser, BeamsSplitByAnEdgeReturnWhatIsBetween) {
+  LaserOptions options = exact();
+  options.laser_mixed = 1.0;
+  Laser laser(options, Rng(1));
+  int between = 0;
+  for (int i = 0; i < 50; ++i) {
+    const float range = laser.scan({}, twoWalls).ranges[90];  // straight at the edge
+    EXPECT_GE(range, 2.97F);
+    EXPECT_LE(range, 5.98F);
+    if (range > 3.1F && range < 5.9F) ++between;
+  }
+  EXPECT_GT(between, 40);
+}
+
+TEST(Laser, LosesSomeBeamsThatGrazeASurface) {
+  LaserOptions options = exact();
+  options.laser_grazing = 1.0;
+  Laser laser(options, Rng(1));
+  const auto wall = [](const Pose2& ray, double limit) {  // along y = 1
+    const double s = std::sin(ray.theta);
+    return s > 1e-9 ? std::min((1.0 - ray.y) / s, limit) : limit;
+  };
+  const auto ranges = laser.scan({}, wall).ranges;
+  EXPECT_TRUE(std::isnan(ranges[95]));    // 5 degrees off the wall's direction
+  EXPECT_FALSE(std::isnan(ranges[110]));  // 20 degrees
+}
+
+TEST(Laser, ShortReadingsAreAsOftenAsAskedFor) {
+  LaserOptions options = exact();
+  options.laser_short = 0.2;
+  Laser laser(options, Rng(1));
+  int shorter = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (const float range : laser.scan({}, roundRoom(5.0)).ranges) shorter += range < 5.0F;
+  }
+  EXPECT_NEAR(shorter, 724, 80);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/wheel_odometry.hpp"
+
+#include <gmock/gmock.h>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kStep = 0.01;
+
+OdometryOptions exact() {
+  return OdometryOptions::profile("ideal");
+}
+
+Pose2 drive(const OdometryOptions& options, const Velocity& velocity, double seconds,
+            std::uint64_t seed = 1) {
+  WheelOdometry odometry(options, Rng(seed));
+  const int steps = static_cast<int>(seconds / kStep + 0.5);
+  for (int i = 0; i < steps; ++i) odometry.step(velocity, kStep);
+  return odometry.pose();
+}
+
+TEST(WheelOdometry, TheIdealOneIsTheTruth) {
+  const Velocity velocity{0.4, 0.3};
+  const Pose2 pose = drive(exact(), velocity, 20.0);
+  const Pose2 truth = arc(velocity, 20.0);
+  EXPECT_NEAR(pose.x, truth.x, 1e-9);
+  EXPECT_NEAR(pose.y, truth.y, 1e-9);
+  EXPECT_NEAR(wrapAngle(pose.theta - truth.theta), 0.0, 1e-9);
+}
+
+TEST(WheelOdometry, AWrongAxleScalesTurns) {
+  OdometryOptions options = exact();
+  options.odom_axle_ratio = 1.02;
+  EXPECT_NEAR(drive(options, {0.0, 0.5}, 4.0).theta, 2.0 * 1.02, 1e-9);
+  EXPECT_NEAR(drive(options, {0.5, 0.0}, 4.0).x, 2.0, 1e-9);
+}
+
+TEST(WheelOdometry, UnequalWheelsBendAStraightLine) {
+  OdometryOptions options = exact();
+  options.odom_wheel_ratio = 1.004;
+  const double expected = (1.0 / 1.002 - 1.0 / 0.998) * 3.0 / options.odom_axle;
+  EXPECT_NEAR(drive(options, {0.5, 0.0}, 6.0).theta, expected, 1e-9);
+}
+
+TEST(WheelOdometry, NoiseHasTheVarianceItIsGiven) {
+  OdometryOptions options = exact();
+  options.odom_wheel_noise = 1e-4;
+  const double metres = 2.0;
+  double heading2 = 0.0;
+  double along2 = 0.0;
+  constexpr int kRuns = 2000;
+  for (int run = 0; run < kRuns; ++run) {
+    WheelOdometry odometry(options, Rng(static_cast<std::uint64_t>(run)));
+    double along = 0.0;
+    double heading = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      odometry.step({0.5, 0.0}, kStep);
+      along += odometry.velocity().forward * kStep;
+      heading += odometry.velocity().turn * kStep;
+    }
+    heading2 += heading * heading / kRuns;
+    along2 += (along - metres) * (along - metres) / kRuns;
+  }
+  // Both wheels independent: var(along) = k s / 2, var(heading) = 2 k s / axle^2.
+  EXPECT_NEAR(along2, 1e-4 * metres / 2.0, 1e-5);
+  const double axle = options.odom_axle;
+  EXPECT_NEAR(heading2, 2.0 * 1e-4 * metres / (axle * axle), 2e-4);
+}
+
+TEST(WheelOdometry, SlippingWheelsSeeMoreTurnThanThereIs) {
+  OdometryOptions options = exact();
+  options.odom_slip_rate = 100.0;  // slips nearly always
+  options.odom_slip_share = 0.5;
+  WheelOdometry odometry(options, Rng(1));
+  double turned = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    odometry.step({0.0, 1.0}, kStep);
+    turned += odometry.velocity().turn * kStep;
+  }
+  EXPECT_NEAR(turned, 4.0, 0.2);
+  EXPECT_NEAR(drive(options, {0.0, 0.2}, 5.0).theta, 1.0, 1e-9);  // too slow to slip
+}
+
+TEST(WheelOdometry, ReportsWholeDegreesAndMillimetresButKeepsTheRest) {
+  OdometryOptions options = exact();
+  options.odom_whole_degrees = true;
+  WheelOdometry odometry(options, Rng(1));
+  for (int i = 0; i < 1000; ++i) {
+    odometry.step({0.033, 0.01}, kStep);
+    const Pose2 pose = odometry.pose();
+    const double degrees = pose.theta * 180.0 / kPi;
+    ASSERT_NEAR(degrees, std::nearbyint(degrees), 1e-9);
+    ASSERT_NEAR(pose.x * 1000.0, std::nearbyint(pose.x * 1000.0), 1e-9);
+    const Pose2 truth = arc({0.033, 0.01}, (i + 1) * kStep);
+    ASSERT_NEAR(degrees, truth.theta * 180.0 / kPi, 0.5 + 1e-6);
+    ASSERT_NEAR(pose.x, truth.x, 0.0005 + 1e-9);
+  }
+}
+
+TEST(WheelOdometry, ProfilesGetWorse) {
+  const auto spread = [](const std::string& profile) {
+    double sum = 0.0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const Velocity velocity{0.4, 0.5};
+      sum += distance(drive(OdometryOptions::profile(profile), velocity, 30.0, seed),
+                      arc(velocity, 30.0));
+    }
+    return sum / 100.0;
+  };
+  EXPECT_LT(spread("ideal"), 1e-6);
+  EXPECT_GT(spread("nominal"), 0.1);
+  EXPECT_GT(spread("bad"), 1.5 * spread("nominal"));
+  EXPECT_THROW(OdometryOptions::profile("perfect"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
