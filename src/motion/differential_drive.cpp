@@ -8,7 +8,8 @@
 namespace adaptive_localization {
 namespace {
 
-/// Below this a direction of travel is noise: all rotation goes into rot2.
+/// Below this a direction of travel is no sign of a rotation: rot1 and rot2 still add up to the
+/// motion, but the noise is that of the turn as a whole.
 constexpr double kStandstill = 0.01;  // m
 
 }  // namespace
@@ -21,7 +22,7 @@ struct DifferentialDrive::Step {
 DifferentialDrive::Step DifferentialDrive::split(const Pose2& motion) const {
   Step step{};
   step.trans = std::hypot(motion.x, motion.y);
-  if (step.trans >= kStandstill) step.rot1 = std::atan2(motion.y, motion.x);
+  if (step.trans > 0.0) step.rot1 = std::atan2(motion.y, motion.x);
   if (std::abs(step.rot1) > kPi / 2) {  // backwards
     step.rot1 = wrapAngle(step.rot1 + kPi);
     step.trans = -step.trans;
@@ -36,8 +37,9 @@ DifferentialDrive::Step DifferentialDrive::split(const Pose2& motion) const {
   const auto folded = [](double angle) {
     return std::min(std::abs(angle), std::abs(wrapAngle(angle - kPi)));
   };
-  const double rot1_2 = square(folded(step.rot1));
-  const double rot2_2 = square(folded(step.rot2));
+  const bool stands = std::abs(step.trans) < kStandstill;
+  const double rot1_2 = stands ? 0.0 : square(folded(step.rot1));
+  const double rot2_2 = square(folded(stands ? motion.theta : step.rot2));
   step.sigma_rot1 = sigma(options_.odom_alpha1 * rot1_2 + options_.odom_alpha2 * trans2);
   step.sigma_rot2 = sigma(options_.odom_alpha1 * rot2_2 + options_.odom_alpha2 * trans2);
   step.sigma_trans =
