@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot standing in a room of 6 x 4 m: messages that make no sense are dropped with a reason, and
+the node lives on. tf does not know the laser; robot_description does."""
+import math
+import sys
+
+import rospy
+import rostest
+import tf2_ros
+from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
+from localization_case import LocalizationCase, initial_pose
+from nav_msgs.msg import OccupancyGrid
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import LaserScan
+
+RESOLUTION, WIDTH, HEIGHT = 0.05, 130, 90  # 6.5 x 4.5 m, the walls 0.25 m thick
+X, Y, YAW = 2.0, 1.5, 0.5
+LASER_X = 0.2
+
+
+def room():
+    grid = OccupancyGrid()
+    grid.header.frame_id = "map"
+    grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, WIDTH, HEIGHT
+    grid.info.origin.position.x = grid.info.origin.position.y = -0.25
+    grid.info.origin.orientation.w = 1.0
+    grid.data = [100 if min(i, WIDTH - 1 - i, j, HEIGHT - 1 - j) < 5 else 0
+                 for j in range(HEIGHT) for i in range(WIDTH)]
+    return grid
+
+
+def scan():
+    message = LaserScan()
+    message.header.frame_id = "laser"
+    message.angle_min, message.angle_max = -math.pi / 2, math.pi / 2
+    message.angle_increment = math.pi / 180
+    message.range_max = 30.0
+    x, y = X + LASER_X * math.cos(YAW), Y + LASER_X * math.sin(YAW)
+    for i in range(181):
+        c = math.cos(YAW + message.angle_min + i * message.angle_increment)
+        s = math.sin(YAW + message.angle_min + i * message.angle_increment)
+        message.ranges.append(min((6.0 - x) / c if c > 0 else -x / c if c < 0 else 99.0,
+                                  (4.0 - y) / s if s > 0 else -y / s if s < 0 else 99.0))
+    return message
+
+
+class BadMessages(LocalizationCase):
+    def setUp(self):
+        super().setUp()
+        self.logs = []
+        logs = rospy.Subscriber("rosout", Log, lambda log: self.logs.append(log.msg))
+        self.subscribers.append(logs)
+        self.wait_for(lambda: logs.get_num_connections() >= 2, "the node's log and our own")
+        self.scans = rospy.Publisher("scan", LaserScan, queue_size=10)
+        self.initial_poses = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)
+        self.maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        self.broadcaster = tf2_ros.TransformBroadcaster()
+        for publisher in [self.scans, self.initial_poses, self.maps]:
+            self.wait_for(lambda: publisher.get_num_connections() > 0, "the node")
+
+    def send(self, message, stamp=None):
+        message.header.stamp = stamp or rospy.Time.now()
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = "odom", "base_link"
+        transform.header.stamp = message.header.stamp
+        transform.transform.rotation.w = 1.0
+        self.broadcaster.sendTransform(transform)
+        self.scans.publish(message)
+        rospy.sleep(0.1)
+
+    def wait_for_log(self, text, message=None):
+        def seen():
+            if message:
+                self.send(message)
+            return any(text in log for log in self.logs)
+        self.wait_for(seen, "'%s' in the log" % text)
+
+    def test_node_says_why_and_lives_on(self):
+        empty_map = OccupancyGrid()
+        empty_map.header.frame_id = "map"
+        self.maps.publish(empty_map)
+        self.wait_for_log("Map not used: map size: got 0 x 0 cells")
+        self.wait_for_log("Scans wait for the map", scan())
+        self.wait_for_log("Laser 'laser' sits at (0.200, 0.000) m, 0.0 deg on 'base_link': "
+                          "from robot_description")
+        self.maps.publish(room())
+        self.wait_for_log("Map of 130 x 90 cells")
+        self.initial_poses.publish(initial_pose(X + 0.2, Y - 0.2, YAW + 0.1))
+
+        unknown, nothing, invalid, still, short = (scan() for _ in range(5))
+        unknown.header.frame_id = "attic"
+        nothing.ranges = []
+        invalid.ranges = [float("nan")] * 181
+        still.angle_increment = 0.0
+        short.range_max = float("nan")
+        self.check_dropped(unknown, "neither tf nor robot_description knows where frame 'attic'")
+        self.check_dropped(nothing, "scan")
+        self.check_dropped(invalid, "none of its 181 ranges is valid")
+        self.check_dropped(still, "angle_increment")
+        self.check_dropped(short, "range_max")
+
+        begin = rospy.get_time()
+        self.wait_for(lambda: self.send(scan()) or self.poses, "a pose from good scans")
+        stamp, x, y, yaw = self.poses[-1]
+        self.assertGreater(stamp, begin - 1.0)
+        self.assertLess(math.hypot(x - X, y - Y), 0.1)
+        self.assertLess(abs(yaw - YAW), 0.1)
+
+    def check_dropped(self, message, reason):
+        """The warning is throttled: it is sent until it is said."""
+        self.logs.clear()
+        self.wait_for_log(reason, message)
+        self.assertIn("Scan dropped", [log for log in self.logs if reason in log][0])
+
+
+if __name__ == "__main__":
+    rospy.init_node("bad_messages_test")
+    rostest.rosrun("adaptive_localization", "bad_messages", BadMessages, sys.argv)

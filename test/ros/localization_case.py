@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the ROS tests share: listening to the node, the truth and tf, and waiting."""
+import bisect
+import math
+import time
+import unittest
+
+import rospy
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from nav_msgs.msg import Odometry
+
+
+def yaw_of(q):
+    return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
+
+
+def wrap(angle):
+    return math.atan2(math.sin(angle), math.cos(angle))
+
+
+def planar(pose):
+    """(x, y, yaw) of a geometry_msgs/Pose."""
+    return pose.position.x, pose.position.y, yaw_of(pose.orientation)
+
+
+def initial_pose(x, y, yaw, stamp=None, frame="map", variances=(0.05, 0.05, 0.02)):
+    message = PoseWithCovarianceStamped()
+    message.header.frame_id = frame
+    message.header.stamp = stamp or rospy.Time(0)
+    message.pose.pose.position.x = x
+    message.pose.pose.position.y = y
+    message.pose.pose.orientation.z = math.sin(yaw / 2)
+    message.pose.pose.orientation.w = math.cos(yaw / 2)
+    message.pose.covariance[0], message.pose.covariance[7], message.pose.covariance[35] = variances
+    return message
+
+
+class LocalizationCase(unittest.TestCase):
+    """Keeps the poses, the status and the truth that are published."""
+
+    def setUp(self):
+        self.poses = []  # (stamp, x, y, yaw)
+        self.truths = []
+        self.statuses = []
+        self.tf = tf2_ros.Buffer(rospy.Duration(60))
+        self.subscribers = [
+            tf2_ros.TransformListener(self.tf),
+            rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self.on_pose),
+            rospy.Subscriber("base_pose_ground_truth", Odometry, self.on_truth),
+            rospy.Subscriber("adaptive_localization/status", DiagnosticStatus,
+                             self.statuses.append),
+        ]
+
+    def tearDown(self):
+        for subscriber in self.subscribers:
+            subscriber.unregister()
+
+    def on_pose(self, message):
+        self.poses.append((message.header.stamp.to_sec(),) + planar(message.pose.pose))
+
+    def on_truth(self, message):
+        self.truths.append((message.header.stamp.to_sec(),) + planar(message.pose.pose))
+
+    def truth_at(self, stamp):
+        """(x, y, yaw), interpolated."""
+        truths = self.truths
+        after = bisect.bisect_left(truths, (stamp,))
+        if after == 0 or after == len(truths):
+            return None
+        a, b = truths[after - 1], truths[after]
+        share = (stamp - a[0]) / (b[0] - a[0])
+        return (a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]),
+                a[3] + share * wrap(b[3] - a[3]))
+
+    def errors(self, since=0.0):
+        """(stamp, metres, degrees) of all poses since a stamp that the truth covers."""
+        errors = []
+        for stamp, x, y, yaw in list(self.poses):
+            truth = self.truth_at(stamp) if stamp >= since else None
+            if truth:
+                errors.append((stamp, math.hypot(x - truth[0], y - truth[1]),
+                               abs(math.degrees(wrap(yaw - truth[2])))))
+        return errors
+
+    def wait_for(self, condition, what, seconds=30.0):
+        """Waits, in real time, until a condition holds."""
+        end = time.time() + seconds
+        while time.time() < end and not rospy.is_shutdown():
+            result = condition()
+            if result:
+                return result
+            time.sleep(0.05)
+        self.fail("waited %.0f s for %s; status: %s" % (
+            seconds, what, self.statuses[-1].message if self.statuses else "none"))
+
+    def wait_for_time(self, simulated_seconds, seconds=60.0):
+        end = rospy.get_time() + simulated_seconds
+        self.wait_for(lambda: rospy.get_time() >= end, "time to pass", seconds)
+
+    def status(self):
+        return self.statuses[-1].message if self.statuses else ""
+
+    def status_values(self):
+        return {v.key: v.value for v in self.statuses[-1].values} if self.statuses else {}
+
+    def is_accurate(self, since, metres=0.15, degrees=5.0, count=5):
+        """The last few poses are right."""
+        errors = self.errors(since)[-count:]
+        return len(errors) == count and all(m < metres and d < degrees for _, m, d in errors)

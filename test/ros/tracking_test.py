@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The simulated robot drives through the maze from a start that the node knows."""
+import sys
+
+import rospy
+import rostest
+from geometry_msgs.msg import PoseArray
+from localization_case import LocalizationCase, planar, wrap
+from std_msgs.msg import Float32
+
+
+class Tracking(LocalizationCase):
+    def test_pose_stays_right_over_a_drive(self):
+        self.wait_for(lambda: self.errors(), "a first pose")
+        self.wait_for_time(50)
+        errors = self.errors()
+        travelled = sum(abs(b[1] - a[1]) + abs(b[2] - a[2])
+                        for a, b in zip(self.truths, self.truths[1:]))
+        self.assertGreater(travelled, 5.0)
+        self.assertGreater(len(errors), 40)
+        for stamp, metres, degrees in errors:
+            self.assertLess(metres, 0.15, "at %.1f s" % stamp)
+            self.assertLess(degrees, 5.0, "at %.1f s" % stamp)
+        self.assertEqual(self.status(), "tracking")
+
+    def test_transform_agrees_with_the_pose_and_is_post_dated(self):
+        self.wait_for(lambda: self.errors(), "a first pose")
+        self.wait_for_time(2)
+        stamp, x, y, yaw = self.poses[-1]
+        # tf interpolates between corrections, so they agree only closely
+        transform = self.wait_for(lambda: self.lookup(stamp), "map -> base_link").transform
+        self.assertAlmostEqual(transform.translation.x, x, delta=0.1)
+        self.assertAlmostEqual(transform.translation.y, y, delta=0.1)
+        newest = self.tf.lookup_transform("map", "odom", rospy.Time(0)).header.stamp
+        scan = self.tf.lookup_transform("odom", "base_link", rospy.Time(0)).header.stamp
+        self.assertGreater((newest - scan).to_sec(), -0.3)
+
+    def lookup(self, stamp):
+        when = rospy.Time.from_sec(stamp)
+        if self.tf.can_transform("map", "base_link", when):
+            return self.tf.lookup_transform("map", "base_link", when)
+        return None
+
+    def test_cloud_confidence_and_status_are_published(self):
+        cloud = rospy.wait_for_message("particlecloud", PoseArray, 10)
+        self.assertEqual(cloud.header.frame_id, "map")
+        self.assertGreaterEqual(len(cloud.poses), 100)
+        self.wait_for(lambda: self.errors(), "a first pose")
+        x, y, yaw = self.truth_at(self.errors()[-1][0])
+        near = [p for p in map(planar, cloud.poses)
+                if abs(p[0] - x) < 1 and abs(p[1] - y) < 1 and abs(wrap(p[2] - yaw)) < 1]
+        self.assertGreater(len(near), 0.8 * len(cloud.poses))
+        confidence = rospy.wait_for_message("adaptive_localization/confidence", Float32, 10)
+        self.assertGreater(confidence.data, 0.5)
+        self.wait_for(lambda: int(self.status_values().get("scans used", 0)) > 0, "a used scan")
+        values = self.status_values()
+        self.assertEqual(int(values["scans dropped"]), 0)
+        self.assertGreater(float(values["ms per update"]), 0.0)
+        self.assertIn("mass", values["mode 1"])
+
+
+if __name__ == "__main__":
+    rospy.init_node("tracking_test")
+    rostest.rosrun("adaptive_localization", "tracking", Tracking, sys.argv)
