@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What scoring, resampling, updating and building fields cost, on one thread. An item is a
+// particle and beam where beams count, else a particle, a cell or a ray.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/observation/observation_model.hpp"
+#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/particle/resampling.hpp"
+#include "heap_meter.hpp"
+#include "plain_field.hpp"
+#include "toy_building.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr int kSide = 400;  // cells
+
+const std::shared_ptr<const OccupancyGrid>& building() {
+  static const auto map = toyBuilding(kSide);
+  return map;
+}
+
+FilterContext contextFor(const std::shared_ptr<const OccupancyGrid>& map) {
+  FilterContext context;
+  context.map = map;
+  context.distance_field = std::make_shared<const DistanceField>(*map);
+  return context;
+}
+
+void countItems(benchmark::State& state, std::int64_t per_iteration) {
+  state.SetItemsProcessed(state.iterations() * per_iteration);
+  state.counters["per_item"] = benchmark::Counter(
+      static_cast<double>(per_iteration),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) {
+  const PlainField field(*contextFor(building()).distance_field);
+  const Observations observations = observe(building(), kTruth, beams);
+  auto samples = PlainField::samplesOf(spread(kind, particles, building()));
+  for (auto _ : state) {
+    for (auto& sample : samples) sample.weight = 1.0;
+    field.score(observations.scan, samples);
+    benchmark::DoNotOptimize(samples.data());
+  }
+  countItems(state, static_cast<std::int64_t>(particles) * beams);
+}
+
+void score(benchmark::State& state, const std::string& name, int particles, int beams,
+           Spread kind) {
+  ObservationOptions options;
+  options.laser_model_type = name;
+  const auto model = makeObservationModel(options, contextFor(building()));
+  const Observations observations = observe(building(), kTruth, beams);
+  const Particles cloud = spread(kind, particles, building());
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles);
+  for (auto _ : state) {
+    model->score(observations, cloud, log_likelihood);
+    benchmark::DoNotOptimize(log_likelihood.data());
+  }
+  countItems(state, static_cast<std::int64_t>(particles) * beams);
+}
+
+void resample(benchmark::State& state, int count) {
+  const Particles cloud = spread(Spread::kTracking, count, building());
+  Rng rng(4);
+  Eigen::ArrayXd log_weight(count);
+  for (Eigen::Index i = 0; i < count; ++i) log_weight[i] = 2.0 * rng.normal();
+  for (auto _ : state) {
+    const Eigen::ArrayXd weights = normalisedWeights(log_weight);
+    benchmark::DoNotOptimize(select(cloud, systematicIndices(weights, count, rng)));
+  }
+  countItems(state, count);
+}
+
+/// A robot that goes to and fro by 10 cm; every update moves, scores, resamples and summarizes.
+void update(benchmark::State& state, const std::string& core, int particles, int beams) {
+  FilterContext context = contextFor(building());
+  context.parameters.set("min_particles", OptionValue{particles});
+  context.parameters.set("max_particles", OptionValue{particles});
+  context.parameters.set("selective_resampling", OptionValue{false});
+  const auto filter = FilterRegistry().find(core).make(context);
+  const Pose2 motion{0.1, 0.0, 0.02};
+  const Observations there = observe(building(), kTruth * motion, beams);
+  const Observations here = observe(building(), kTruth, beams);
+  Gaussian2 prior{kTruth, Eigen::Matrix3d::Zero()};
+  prior.covariance.diagonal() << 0.04, 0.04, 0.01;
+  filter->reset(prior);
+  bool is_here = true;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(is_here ? filter->update(motion, there)
+                                     : filter->update(inverse(motion), here));
+    is_here = !is_here;
+  }
+  countItems(state, static_cast<std::int64_t>(particles) * beams);
+}
+
+void distanceField(benchmark::State& state, int side) {
+  const auto map = toyBuilding(side);
+  for (auto _ : state) benchmark::DoNotOptimize(DistanceField(*map));
+  countItems(state, static_cast<std::int64_t>(map->lattice().size()));
+
+  const HeapMeter heap;  // what a running filter holds for each cell of the map
+  const FilterContext context = contextFor(toyBuilding(side));
+  const auto model = makeObservationModel(ObservationOptions{}, context);
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(1);
+  model->score(observe(map, kTruth, 60), Particles(1), log_likelihood);
+  state.counters["bytes_per_cell"] =
+      static_cast<double>(heap.grown()) / static_cast<double>(map->lattice().size());
+}
+
+void rayCast(benchmark::State& state) {
+  const RayCaster caster(building());
+  const Particles starts = spread(Spread::kGlobal, 1000, building());
+  for (auto _ : state) {
+    for (Eigen::Index i = 0; i < starts.size(); ++i) {
+      benchmark::DoNotOptimize(caster.range(starts.pose(i), 100.0));
+    }
+  }
+  countItems(state, starts.size());
+}
+
+void registerScores() {
+  const std::pair<int, int> sizes[] = {{2000, 60}, {10000, 60}};
+  const std::pair<const char*, Spread> spreads[] = {{"tracking", Spread::kTracking},
+                                                    {"global", Spread::kGlobal}};
+  for (const auto& [particles, beams] : sizes) {
+    for (const auto& [how, kind] : spreads) {
+      const std::string suffix =
+          "/" + std::to_string(particles) + "/" + std::to_string(beams) + "/" + how;
+      benchmark::RegisterBenchmark(("score/plain" + suffix).c_str(), scorePlain, particles, beams,
+                                   kind);
+      for (const std::string model :
+           {"likelihood_field", "likelihood_field_prob", "likelihood_field_cubed", "beam"}) {
+        benchmark::RegisterBenchmark(("score/" + model + suffix).c_str(), score, model, particles,
+                                     beams, kind);
+      }
+    }
+  }
+}
+
+void registerOthers() {
+  for (const int count : {1000, 10000, 50000, 100000, 1000000}) {
+    benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
+  }
+  for (const auto& core : FilterRegistry().names()) {
+    for (const int particles : {2000, 10000}) {
+      benchmark::RegisterBenchmark(
+          ("update/" + core + "/" + std::to_string(particles) + "/60").c_str(), update, core,
+          particles, 60);
+    }
+  }
+  for (const int side : {400, 4000}) {
+    benchmark::RegisterBenchmark(("distance_field/" + std::to_string(side)).c_str(), distanceField,
+                                 side);
+  }
+  benchmark::RegisterBenchmark("ray_cast", rayCast);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
+
+int main(int argc, char** argv) {
+  adaptive_localization::setThreads(1);
+  adaptive_localization::registerScores();
+  adaptive_localization::registerOthers();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
