@@ -23,7 +23,13 @@ bool isCompact(const Particles& particles) {
 
 LikelihoodField::LikelihoodField(const ObservationOptions& options,
                                  std::shared_ptr<const DistanceField> field)
-    : options_(options), field_(std::move(field)) {}
+    : options_(options), field_(std::move(field)) {
+  if (options_.do_beamskip && options_.laser_model_type == "likelihood_field_prob") {
+    // a field of its own: the likelihood is flat long before the distance that explains a hit
+    nearness_ = std::make_unique<ScoreField>(*field_, 2.0 * options_.beam_skip_distance,
+                                             [](double distance) { return -distance; });
+  }
+}
 
 LikelihoodField::~LikelihoodField() = default;
 
@@ -48,9 +54,8 @@ const ScoreField& LikelihoodField::fieldFor(double max_range) const {
 }
 
 Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) const {
-  const double explained = std::log(likelihood(options_.beam_skip_distance, scan.max_range));
   const Eigen::ArrayXd share =
-      fieldFor(scan.max_range).shareAbove(explained, scan.x, scan.y, particles);
+      nearness_->shareAbove(-options_.beam_skip_distance, scan.x, scan.y, particles);
   const auto used = (share > options_.beam_skip_threshold).count();
   const double skipped = 1.0 - static_cast<double>(used) / static_cast<double>(scan.hits());
   if (skipped >= options_.beam_skip_error_threshold) return scan;
@@ -70,7 +75,7 @@ Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) co
 double LikelihoodField::score(const Observations& observations, const Particles& particles,
                               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
   const bool prob = options_.laser_model_type == "likelihood_field_prob";
-  const bool skip = prob && options_.do_beamskip && observations.scan.hits() > 0;
+  const bool skip = nearness_ && observations.scan.hits() > 0;
   const Scan scan =
       skip && isCompact(particles) ? skipBeams(observations.scan, particles) : observations.scan;
   const int hits = scan.hits();

@@ -41,6 +41,7 @@ class LikelihoodField : public ObservationModel {
 
   ObservationOptions options_;
   std::shared_ptr<const DistanceField> field_;
+  std::unique_ptr<ScoreField> nearness_;  // minus the distance; where beams may be skipped
   mutable std::map<double, std::unique_ptr<ScoreField>> fields_;  // by the laser's max_range
 };
 
