@@ -45,6 +45,7 @@ void clip(double start, double direction, double size, double& enter, double& le
 double RayCaster::range(const Pose2& T_map_ray, double max_range) const {
   const Lattice& lattice = grid_->lattice();
   const Pose2 ray = lattice.toLattice(T_map_ray);
+  if (!isFinite(ray)) return max_range;
   const double resolution = lattice.resolution();
   const double dx = std::cos(ray.theta);
   const double dy = std::sin(ray.theta);
