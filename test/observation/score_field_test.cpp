@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/observation/score_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "adaptive_localization/parallel.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Sums of a toy scan's values over many poses, some of them off the map or no pose at all.
+class ScoreFieldSums : public testing::Test {
+ protected:
+  ScoreFieldSums() : particles_(5003) {  // no multiple of eight lanes
+    Rng rng(1);
+    for (Eigen::Index i = 0; i < particles_.size(); ++i) {
+      particles_.setPose(i, randomPose(rng, 12.0));
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    Eigen::Index i = 0;
+    for (const double bad : {nan, inf, -inf, 1e30, -1e300}) {
+      particles_.setPose(i++, {bad, 1.0, 0.0});
+      particles_.setPose(i++, {1.0, bad, 0.0});
+      particles_.setPose(i++, {1.0, 1.0, bad});
+    }
+  }
+
+  Eigen::ArrayXd sums(const Pose2& origin = {}) const {
+    const auto map = asymmetricWorld(origin);
+    const ScoreField field(DistanceField(*map), 2.0, [](double d) { return -d * d; });
+    const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.2, 1.3, 0.3}).scan;
+    Eigen::ArrayXd result(particles_.size());
+    field.sum(scan.x, scan.y, particles_, result);
+    return result;
+  }
+
+  Particles particles_;
+};
+
+TEST_F(ScoreFieldSums, AreTheSameBitsWithAndWithoutVectorInstructions) {
+  for (const Pose2& origin : {Pose2{}, Pose2{-3.0, 1.0, 0.7}}) {
+    ScoreField::usePortableInstructions(true);
+    const Eigen::ArrayXd portable = sums(origin);
+    ScoreField::usePortableInstructions(false);
+    const Eigen::ArrayXd fast = sums(origin);
+    EXPECT_TRUE((portable == fast).all()) << (portable - fast).abs().maxCoeff();
+  }
+}
+
+TEST_F(ScoreFieldSums, AreTheSameBitsForAnyNumberOfThreads) {
+  const Eigen::ArrayXd one = sums();
+  setThreads(4);
+  const Eigen::ArrayXd four = sums();
+  setThreads(1);
+  EXPECT_TRUE((one == four).all());
+}
+
+TEST_F(ScoreFieldSums, AreFiniteAndLeastForPosesThatAreNone) {
+  const Eigen::ArrayXd all = sums();
+  EXPECT_TRUE(all.allFinite());
+  EXPECT_NEAR(all[0], all.minCoeff(), 1e-6);
+}
+
+TEST_F(ScoreFieldSums, AreTheDirectSums) {
+  const auto map = asymmetricWorld();
+  const DistanceField distances(*map);
+  const Scan scan = ToyLaser{}.observe(map, {1.2, 1.3, 0.3}).scan;
+  const Eigen::ArrayXd fast = sums();
+  int compared = 0;
+  for (Eigen::Index i = 20; i < particles_.size(); i += 7) {
+    double direct = 0.0;
+    for (Eigen::Index j = 0; j < scan.x.size(); ++j) {
+      const Eigen::Vector2d hit = particles_.pose(i) * Eigen::Vector2d(scan.x[j], scan.y[j]);
+      const double d = std::min(2.0, distances.at(hit));
+      direct -= d * d;
+    }
+    // a hit on the border of two cells may be rounded into either
+    ASSERT_NEAR(fast[i], direct, 0.5) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 500);
+}
+
+TEST_F(ScoreFieldSums, CountTheSharesOfParticles) {
+  const auto map = toyWorld({"..........#"}, 0.1);
+  const ScoreField field(DistanceField(*map), 2.0, [](double d) { return -d; });
+  Particles particles(10);
+  for (Eigen::Index i = 0; i < 10; ++i) particles.setPose(i, {0.05 + 0.1 * double(i), 0.05, 0.0});
+  const Eigen::ArrayXf x = Eigen::ArrayXf::Zero(1), y = Eigen::ArrayXf::Zero(1);
+  EXPECT_DOUBLE_EQ(field.shareAbove(-0.35, x, y, particles)[0], 0.3);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
