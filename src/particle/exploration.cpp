@@ -2,6 +2,7 @@
 #include "adaptive_localization/particle/exploration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace adaptive_localization {
 namespace {
@@ -21,6 +22,7 @@ class Augmented : public Exploration {
   void reset() override { w_slow_ = w_fast_ = 0.0; }
 
   void observe(double w) override {
+    if (!std::isfinite(w)) return;
     if (w_slow_ <= 0.0) {
       w_slow_ = w_fast_ = w;
       return;

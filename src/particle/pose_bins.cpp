@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace adaptive_localization {
+namespace {
+
+/// A pose that is far off every map, or none at all, still has a bin with neighbours.
+std::int32_t indexOf(double coordinate) {
+  return static_cast<std::int32_t>(std::floor(std::fmin(std::fmax(coordinate, -1e9), 1e9)));
+}
+
+}  // namespace
 
 PoseBins::PoseBins(double side, double angle)
     : side_(side),
@@ -13,9 +21,8 @@ PoseBins::PoseBins(double side, double angle)
 
 PoseBin PoseBins::binOf(const Pose2& pose) const {
   const double turn = pose.theta / (2.0 * kPi);
-  const auto heading = static_cast<std::int32_t>((turn - std::floor(turn)) * headings_);
-  return {static_cast<std::int32_t>(std::floor(pose.x / side_)),
-          static_cast<std::int32_t>(std::floor(pose.y / side_)), std::min(heading, headings_ - 1)};
+  const std::int32_t heading = indexOf((turn - std::floor(turn)) * headings_);
+  return {indexOf(pose.x / side_), indexOf(pose.y / side_), std::clamp(heading, 0, headings_ - 1)};
 }
 
 std::size_t PoseBins::slotOf(const PoseBin& bin) const {

@@ -9,12 +9,11 @@ Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
   const Eigen::Index count = log_weight.size();
   if (count == 0) return {};
   const double largest = log_weight.maxCoeff();
-  Eigen::ArrayXd weights = (log_weight - largest).exp();
-  const double sum = weights.sum();
-  if (!std::isfinite(sum) || sum <= 0.0) {
+  if (log_weight.isNaN().any() || !std::isfinite(largest)) {
     return Eigen::ArrayXd::Constant(count, 1.0 / static_cast<double>(count));
   }
-  return weights / sum;
+  const Eigen::ArrayXd weights = (log_weight - largest).exp();
+  return weights / weights.sum();
 }
 
 double effectiveSize(const Eigen::ArrayXd& weights) {
