@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/exploration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+ExplorationOptions rates(double slow, double fast) {
+  ExplorationOptions options;
+  options.recovery_alpha_slow = slow;
+  options.recovery_alpha_fast = fast;
+  return options;
+}
+
+TEST(Exploration, HasTheEquationsOfAugmentedMcl) {
+  const auto exploration = augmentedExploration(rates(0.01, 0.2));
+  EXPECT_EQ(exploration->share(), 0.0);  // before anything was seen
+  exploration->observe(0.8);
+  EXPECT_EQ(exploration->share(), 0.0);  // both averages start at the first value
+  double slow = 0.8, fast = 0.8;
+  for (const double w : {0.7, 0.2, 0.1, 0.1, 0.9}) {
+    exploration->observe(w);
+    slow += 0.01 * (w - slow);
+    fast += 0.2 * (w - fast);
+    EXPECT_NEAR(exploration->share(), std::max(0.0, 1.0 - fast / slow), 1e-12);
+  }
+  EXPECT_GT(exploration->share(), 0.1);
+}
+
+TEST(Exploration, LooksNowhereWhileLikelihoodsRise) {
+  const auto exploration = augmentedExploration(rates(0.01, 0.2));
+  for (const double w : {0.1, 0.2, 0.4, 0.8}) {
+    exploration->observe(w);
+    EXPECT_EQ(exploration->share(), 0.0);
+  }
+}
+
+TEST(Exploration, StartsAnewAfterItLookedElsewhere) {
+  const auto exploration = augmentedExploration(rates(0.01, 0.5));
+  exploration->observe(0.9);
+  exploration->observe(0.1);
+  ASSERT_GT(exploration->share(), 0.0);
+  exploration->explored();
+  EXPECT_EQ(exploration->share(), 0.0);
+  exploration->observe(0.1);
+  EXPECT_EQ(exploration->share(), 0.0);
+}
+
+TEST(Exploration, IsOffAtRateZero) {
+  for (const auto& [slow, fast] : {std::pair{0.0, 0.1}, {0.001, 0.0}, {0.0, 0.0}}) {
+    const auto exploration = augmentedExploration(rates(slow, fast));
+    exploration->observe(0.9);
+    exploration->observe(0.001);
+    EXPECT_EQ(exploration->share(), 0.0);
+  }
+}
+
+TEST(Exploration, OutlivesALikelihoodThatIsNoNumber) {
+  const auto exploration = augmentedExploration(rates(0.01, 0.5));
+  exploration->observe(0.9);
+  exploration->observe(std::numeric_limits<double>::quiet_NaN());
+  exploration->observe(0.1);
+  EXPECT_GT(exploration->share(), 0.0);
+}
+
+TEST(NoExploration, NeverLooksElsewhere) {
+  const auto none = noExploration();
+  none->observe(0.9);
+  none->observe(0.0);
+  EXPECT_EQ(none->share(), 0.0);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

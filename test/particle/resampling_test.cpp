@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/resampling.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kInf = std::numeric_limits<double>::infinity();
+
+Eigen::ArrayXd column(std::initializer_list<double> values) {
+  Eigen::ArrayXd array(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), array.data());
+  return array;
+}
+
+Eigen::ArrayXd randomWeights(Rng& rng, Eigen::Index count) {
+  Eigen::ArrayXd weights(count);
+  for (auto& weight : weights) weight = rng.uniform() < 0.2 ? 0.0 : std::exp(rng.normal(0.0, 2.0));
+  weights[0] += 1e-3;
+  return weights / weights.sum();
+}
+
+Eigen::ArrayXd countsOf(const std::vector<Eigen::Index>& indices, Eigen::Index size) {
+  Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(size);
+  for (const Eigen::Index i : indices) counts[i] += 1.0;
+  return counts;
+}
+
+TEST(NormalisedWeights, SumToOneAndKeepRatios) {
+  const Eigen::ArrayXd weights = normalisedWeights(column({-1000.0, -1000.0 + std::log(3.0)}));
+  EXPECT_NEAR(weights[0], 0.25, 1e-12);
+  EXPECT_NEAR(weights[1], 0.75, 1e-12);
+  EXPECT_NEAR(normalisedWeights(column({700.0, 710.0, -kInf})).sum(), 1.0, 1e-12);
+  EXPECT_NEAR(normalisedWeights(column({0.0, -kInf}))[1], 0.0, 1e-300);
+}
+
+TEST(NormalisedWeights, AreUniformWhereTheyMakeNoSense) {
+  for (const auto& senseless :
+       {column({-kInf, -kInf}), column({kNan, 0.0}), column({0.0, kNan}), column({kInf, 0.0})}) {
+    EXPECT_TRUE((normalisedWeights(senseless) == 0.5).all()) << senseless;
+  }
+  EXPECT_EQ(normalisedWeights(column({})).size(), 0);
+  EXPECT_EQ(normalisedWeights(column({-kInf}))[0], 1.0);
+}
+
+TEST(EffectiveSize, IsBetweenOneAndTheNumber) {
+  EXPECT_NEAR(effectiveSize(Eigen::ArrayXd::Constant(40, 1.0 / 40.0)), 40.0, 1e-9);
+  EXPECT_DOUBLE_EQ(effectiveSize(column({1.0, 0.0, 0.0})), 1.0);
+  EXPECT_DOUBLE_EQ(effectiveSize(column({0.5, 0.5, 0.0})), 2.0);
+}
+
+TEST(SystematicIndices, DrawEachParticleFloorOrCeilOfItsShare) {
+  Rng rng(1);
+  for (int trial = 0; trial < 500; ++trial) {
+    const auto size = static_cast<Eigen::Index>(1 + rng.below(50));
+    const auto count = static_cast<Eigen::Index>(1 + rng.below(200));
+    const Eigen::ArrayXd weights = randomWeights(rng, size);
+    const auto indices = systematicIndices(weights, count, rng);
+    ASSERT_EQ(indices.size(), static_cast<std::size_t>(count));
+    ASSERT_TRUE(std::is_sorted(indices.begin(), indices.end()));
+    const Eigen::ArrayXd drawn = countsOf(indices, size);
+    const Eigen::ArrayXd share = weights * static_cast<double>(count);
+    ASSERT_TRUE((drawn >= (share - 1e-9).floor()).all()) << drawn << "\n" << share;
+    ASSERT_TRUE((drawn <= (share + 1e-9).ceil()).all()) << drawn << "\n" << share;
+  }
+}
+
+TEST(SystematicIndices, AreUnbiased) {
+  Rng rng(2);
+  const Eigen::ArrayXd weights = randomWeights(rng, 20);
+  constexpr int kRounds = 20000;
+  constexpr Eigen::Index kCount = 33;
+  Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(20);
+  for (int i = 0; i < kRounds; ++i) {
+    mean += countsOf(systematicIndices(weights, kCount, rng), 20) / kRounds;
+  }
+  // counts are Bernoulli around the share: their deviation is at most a half
+  const double four_deviations = 4.0 * 0.5 / std::sqrt(kRounds);
+  EXPECT_LT((mean - weights * kCount).abs().maxCoeff(), four_deviations);
+}
+
+TEST(SystematicIndices, TakeEdgeCases) {
+  Rng rng(3);
+  EXPECT_TRUE(systematicIndices(column({}), 5, rng).empty());
+  EXPECT_TRUE(systematicIndices(column({1.0}), 0, rng).empty());
+  EXPECT_THAT(systematicIndices(column({1.0}), 3, rng), testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(systematicIndices(column({0.0, 1.0, 0.0}), 2, rng), testing::ElementsAre(1, 1));
+  for (const Eigen::Index i : systematicIndices(column({kNan, kNan}), 100, rng)) {
+    ASSERT_TRUE(i == 0 || i == 1);
+  }
+}
+
+TEST(Select, CopiesPosesAndMakesWeightsEqual) {
+  Particles particles(3);
+  for (Eigen::Index i = 0; i < 3; ++i) particles.setPose(i, {1.0 * double(i), 2.0, 3.0});
+  particles.log_weight << -1.0, -2.0, -3.0;
+  const Particles selected = select(particles, {2, 0, 2});
+  EXPECT_TRUE((selected.x == column({2.0, 0.0, 2.0})).all());
+  EXPECT_TRUE((selected.log_weight == selected.log_weight[0]).all());
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/particle/sample_size.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "support/pose_matchers.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+SampleSizeOptions sizes() {
+  SampleSizeOptions options;
+  options.min_particles = 100;
+  options.max_particles = 5000;
+  options.kld_err = 0.02;
+  options.kld_z = 2.33;
+  options.kld_bin_xy = 0.5;
+  options.kld_bin_theta = kPi / 18.0;
+  options.kld_count = "drawn";
+  return options;
+}
+
+Particles cloud(Eigen::Index count, double side, std::uint64_t seed = 1) {
+  Rng rng(seed);
+  Particles particles(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    Pose2 pose = randomPose(rng, side);
+    pose.theta *= std::min(1.0, side);
+    particles.setPose(i, pose);
+  }
+  return particles;
+}
+
+Eigen::ArrayXd uniform(const Particles& particles) {
+  return Eigen::ArrayXd::Constant(particles.size(), 1.0 / static_cast<double>(particles.size()));
+}
+
+TEST(KldSampleSize, HasTheValuesOfFoxsFormula) {
+  EXPECT_EQ(kldSampleSize(2, 0.02, 2.33), 166);
+  EXPECT_EQ(kldSampleSize(3, 0.02, 2.33), 232);
+  EXPECT_EQ(kldSampleSize(5, 0.02, 2.33), 334);
+  EXPECT_EQ(kldSampleSize(31, 0.02, 2.33), 1274);
+  EXPECT_EQ(kldSampleSize(65, 0.02, 2.33), 2333);
+  EXPECT_EQ(kldSampleSize(97, 0.02, 2.33), 3281);
+}
+
+TEST(KldSampleSize, IsOneForOneBinAndGrowsWithBins) {
+  EXPECT_EQ(kldSampleSize(0, 0.02, 2.33), 1);
+  EXPECT_EQ(kldSampleSize(1, 0.02, 2.33), 1);
+  for (int bins = 1; bins < 1000; ++bins) {
+    ASSERT_LT(kldSampleSize(bins, 0.02, 2.33), kldSampleSize(bins + 1, 0.02, 2.33));
+  }
+}
+
+TEST(FixedSampleSize, IsAlwaysTheSame) {
+  Rng rng(1);
+  const auto size = fixedSampleSize(sizes());
+  const Particles particles = cloud(50, 5.0);
+  EXPECT_EQ(size->initial(), 5000);
+  EXPECT_EQ(size->next(particles, uniform(particles), rng), 5000);
+}
+
+TEST(KldDrawn, AsksForFewWhereTheBeliefIsNarrowAndManyWhereItIsWide) {
+  Rng rng(1);
+  const auto size = kldSampleSize(sizes());
+  const Particles narrow = cloud(3000, 0.01), medium = cloud(3000, 0.6), wide = cloud(3000, 20.0);
+  const Eigen::Index few = size->next(narrow, uniform(narrow), rng);
+  const Eigen::Index some = size->next(medium, uniform(medium), rng);
+  EXPECT_LT(few, 500);  // 8 bins meet at zero
+  EXPECT_GT(some, few);
+  EXPECT_EQ(size->next(wide, uniform(wide), rng), 5000);
+}
+
+TEST(KldDrawn, AsksForTheNumberThatItsBinsDemand) {
+  Rng rng(2);
+  Particles particles(310);  // 31 equally heavy bins
+  for (Eigen::Index i = 0; i < 310; ++i) {
+    particles.setPose(i, {0.25 + double(i % 31), 0.25, 0.01});
+  }
+  EXPECT_EQ(kldSampleSize(sizes())->next(particles, uniform(particles), rng), 1274);
+}
+
+TEST(KldDrawn, DoesNotCountParticlesWithoutWeight) {
+  Rng rng(3);
+  const Particles particles = cloud(1000, 20.0);
+  Eigen::ArrayXd weights = Eigen::ArrayXd::Zero(1000);
+  weights[500] = 1.0;
+  EXPECT_EQ(kldSampleSize(sizes())->next(particles, weights, rng), 100);
+}
+
+TEST(KldDrawn, StaysInsideItsLimits) {
+  SampleSizeOptions options = sizes();
+  options.min_particles = options.max_particles = 321;
+  Rng rng(4);
+  for (const double side : {0.01, 1.0, 30.0}) {
+    const Particles particles = cloud(200, side);
+    EXPECT_EQ(kldSampleSize(options)->next(particles, uniform(particles), rng), 321);
+  }
+}
+
+TEST(KldResampled, SizesTheNextSetByTheLast) {
+  SampleSizeOptions options = sizes();
+  options.kld_count = "resampled";
+  const auto size = kldSampleSize(options);
+  Rng rng(5);
+  Particles particles(31);
+  for (Eigen::Index i = 0; i < 31; ++i) particles.setPose(i, {0.25 + double(i), 0.25, 0.01});
+  EXPECT_EQ(size->initial(), 5000);
+  size->observe(particles);
+  EXPECT_EQ(size->next(particles, uniform(particles), rng), 1274);
+}
+
+TEST(KldSampleSizeOptions, RefuseAMinimumAboveTheMaximum) {
+  SampleSizeOptions options = sizes();
+  options.min_particles = 6000;
+  try {
+    kldSampleSize(options);
+    FAIL() << "took a minimum above the maximum";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(),
+                testing::AllOf(testing::HasSubstr("min_particles"), testing::HasSubstr("6000"),
+                               testing::HasSubstr("5000")));
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
