@@ -17,9 +17,14 @@ People::People(std::shared_ptr<const FreeSpace> free_space, int count, const Rng
 /// Somewhere in sight; where nothing is found at once, the person waits and looks again.
 void People::chooseGoal(std::size_t i) {
   constexpr int kTries = 5;
+  constexpr double kFarthest = 8.0;   // m
+  constexpr double kSlimmer = -0.08;  // m: a person passes where the robot just does not
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    const Eigen::Vector2d goal = free_space_->sample(rng_);
-    if (!free_space_->isFree({places_[i], goal}, 0.0)) continue;
+    const double bearing = rng_.uniform(-kPi, kPi);
+    const Eigen::Vector2d goal =
+        places_[i] +
+        rng_.uniform(0.5, kFarthest) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+    if (!free_space_->isFree({places_[i], goal}, kSlimmer)) continue;
     walks_[i].goal = goal;
     return;
   }

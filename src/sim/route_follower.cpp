@@ -11,7 +11,7 @@ namespace {
 constexpr double kLookAhead = 0.6;  // m
 constexpr double kArrived = 0.2;    // m
 constexpr double kStep = 0.05;      // m between the points of a way
-constexpr double kPatience = 4.0;   // s without moving, before it backs off and drives elsewhere
+constexpr double kPatience = 4.0;   // s without moving, beside half a turn, before it gives up
 constexpr double kBackOff = 1.0;    // s
 constexpr double kMoved = 0.01;     // m
 
@@ -72,8 +72,10 @@ void RouteFollower::proceed(const Eigen::Vector2d& from) {
   next_ = 0;
 }
 
-/// The farthest point of the way within the look-ahead that the robot can drive straight to.
+/// The farthest point of the way within the look-ahead that the robot can drive straight to; never
+/// one that it stands on, in whose direction there is no sense.
 const Eigen::Vector2d& RouteFollower::carrot(const Eigen::Vector2d& from) {
+  while (next_ + 1 < way_.size() && (way_[next_] - from).norm() < 2.0 * kStep) ++next_;
   std::size_t last = next_;
   while (last + 1 < way_.size() && (way_[last + 1] - from).norm() < kLookAhead) ++last;
   for (std::size_t i = last; i > next_; --i) {
@@ -116,13 +118,13 @@ Velocity RouteFollower::steer(const Pose2& T_map_base, const std::vector<Eigen::
   const double turn =
       std::min(std::max(2.0 * aside, -options_.route_turn_rate), options_.route_turn_rate);
   constexpr double kTurnFirst = 0.5;  // rad
-  if (std::abs(aside) > kTurnFirst) return {0.0, turn};
   waiting_ += dt;
-  if (waiting_ > kPatience) {
+  if (waiting_ > kPatience + kPi / options_.route_turn_rate) {
     waiting_ = 0.0;
     backing_ = kBackOff;
     proceed(here);
   }
+  if (std::abs(aside) > kTurnFirst) return {0.0, turn};
   if (isBlocked(T_map_base, people)) return {};
   return {options_.route_speed * (1.0 - std::abs(aside) / kTurnFirst), turn};
 }
