@@ -38,7 +38,7 @@ void ParticleFilter::reset(const Prior& prior) {
 }
 
 Estimate ParticleFilter::update(const Pose2& motion, const Observations& observations) {
-  parts_.motion->propagate(motion, particles_, rng_);
+  if (isPlausible(motion)) parts_.motion->propagate(motion, particles_, rng_);
   weigh(observations);
   const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
   particles_.log_weight = weights.log();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,11 @@ struct MotionOptions {
            "Standard deviation added to the heading at each update, whatever the motion.");
   }
 };
+
+/// Whether odometry can mean it: numbers, and not kilometres since the last update.
+inline bool isPlausible(const Pose2& motion) {
+  return isFinite(motion) && std::hypot(motion.x, motion.y) < 1e4;
+}
 
 /// How the robot moves when odometry says it moved by T_previous_current. One noise model, either
 /// sampled or as a Gaussian.
