@@ -17,6 +17,12 @@ Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const D
   }
 }
 
+void Confidence::reset() {
+  fit_ = -1.0;
+  value_ = 0.0;
+  compact_ = ambiguous_ = false;
+}
+
 double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
   int inliers = 0;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {

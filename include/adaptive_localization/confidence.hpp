@@ -45,7 +45,8 @@ class Confidence {
  public:
   Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field);
 
-  void reset() { fit_ = -1.0; }
+  /// Forgets all scans.
+  void reset();
 
   /// Takes note of a scan and the estimate made from it.
   void observe(const Estimate& estimate, const Observations& observations);

@@ -33,6 +33,7 @@ void ParticleFilter::reset(const Prior& prior) {
       particles_.setPose(i, parts_.elsewhere->draw(rng_));
     }
   }
+  parts_.size->observe(particles_);  // else the size would be that of the belief before
   parts_.exploration->reset();
   updates_since_resampling_ = 0;
 }

@@ -59,7 +59,7 @@ class SampleSize {
   virtual Eigen::Index next(const Particles& particles, const Eigen::ArrayXd& weights,
                             Rng& rng) = 0;
 
-  /// Told of each set after resampling.
+  /// Told of each new set: one that starts anew, or one just resampled.
   virtual void observe(const Particles&) {}
 };
 
