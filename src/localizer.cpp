@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
 
@@ -69,6 +70,10 @@ void Localizer::makeFilter(std::shared_ptr<const OccupancyGrid> map) {
 }
 
 void Localizer::reset(const Prior& prior) {
+  const auto* gaussian = std::get_if<Gaussian2>(&prior);
+  if (gaussian && !(isFinite(gaussian->mean) && gaussian->covariance.allFinite())) {
+    throw std::invalid_argument("initial pose: got a number that is not finite");
+  }
   filter_->reset(prior);
   confidence_->reset();
   converged_ = false;

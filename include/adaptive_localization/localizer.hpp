@@ -60,6 +60,7 @@ class Localizer {
   Localizer(Parameters parameters, std::shared_ptr<const OccupancyGrid> map);
 
   /// Starts anew from a prior; the next scan updates the filter whether the robot moved or not.
+  /// Throws std::invalid_argument for a Gaussian with numbers that are not finite.
   void reset(const Prior& prior);
 
   /// The next scan updates the filter whether the robot moved or not.
