@@ -35,30 +35,42 @@ inline std::shared_ptr<const OccupancyGrid> toyWorld(const Art& art, double reso
   return std::make_shared<const OccupancyGrid>(lattice, std::move(cells));
 }
 
+/// The map with only the faces of its walls: what is behind them is unknown, as after mapping.
+inline std::shared_ptr<const OccupancyGrid> hollow(const OccupancyGrid& map) {
+  std::vector<std::int8_t> cells = map.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = map.lattice().cell(i);
+    bool behind = true;
+    for (int d = 0; d < 9; ++d) behind &= !map.isFree({cell.x + d % 3 - 1, cell.y + d / 3 - 1});
+    if (behind) cells[i] = OccupancyGrid::kUnknown;
+  }
+  return std::make_shared<const OccupancyGrid>(map.lattice(), std::move(cells));
+}
+
 /// Three rooms of 10 m by 5 m together in which no two places look alike; cells of 5 cm.
 inline std::shared_ptr<const OccupancyGrid> asymmetricWorld(const Pose2& origin = {}) {
-  return toyWorld({"####################",  //
-                   "#........#.........#",  //
-                   "#........#.........#",  //
-                   "#........#...####..#",  //
-                   "#..................#",  //
-                   "#...##.............#",  //
-                   "#...##......########",  //
-                   "#...........#......#",  //
-                   "#..................#",  //
-                   "####################"},
-                  0.05, origin, 10);
+  return hollow(*toyWorld({"####################",  //
+                           "#........#.........#",  //
+                           "#........#.........#",  //
+                           "#........#...####..#",  //
+                           "#..................#",  //
+                           "#...##.............#",  //
+                           "#...##......########",  //
+                           "#...........#......#",  //
+                           "#..................#",  //
+                           "####################"},
+                          0.05, origin, 10));
 }
 
 /// A room of 6 m by 3 m that looks the same when turned by half a turn.
 inline std::shared_ptr<const OccupancyGrid> symmetricWorld() {
-  return toyWorld({"############",  //
-                   "#..#.......#",  //
-                   "#..#.......#",  //
-                   "#.......#..#",  //
-                   "#.......#..#",  //
-                   "############"},
-                  0.05, {}, 10);
+  return hollow(*toyWorld({"############",  //
+                           "#..#.......#",  //
+                           "#..#.......#",  //
+                           "#.......#..#",  //
+                           "#.......#..#",  //
+                           "############"},
+                          0.05, {}, 10));
 }
 
 /// A laser with evenly spread beams, and what it reads at a pose of the sensor in a map.

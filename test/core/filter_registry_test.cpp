@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/filter_registry.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+
+template <class Call>
+std::string complaint(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+FilterContext context() {
+  FilterContext context;
+  context.map = asymmetricWorld();
+  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  return context;
+}
+
+TEST(FilterRegistry, StartsWithTheBuiltInFilters) {
+  const FilterRegistry registry;
+  for (const char* name : {"mcl", "kld", "amcl"}) {
+    EXPECT_THAT(registry.names(), Contains(name));
+    EXPECT_EQ(registry.find(name).name, name);
+    EXPECT_FALSE(registry.find(name).sentence.empty());
+  }
+}
+
+TEST(FilterRegistry, ListsTheKnownNamesWhenOneIsUnknown) {
+  const FilterRegistry registry;
+  EXPECT_THAT(complaint([&] { registry.find("amlc"); }),
+              AllOf(HasSubstr("'amlc'"), HasSubstr("amcl"), HasSubstr("kld"), HasSubstr("mcl")));
+}
+
+TEST(FilterRegistry, TakesMoreFiltersButNoNameTwice) {
+  FilterRegistry registry;
+  FilterDescription mine = registry.find("mcl");
+  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'mcl'"));
+  mine.name = "mine";
+  registry.add(mine);
+  EXPECT_THAT(registry.names(), Contains("mine"));
+  mine.name = "";
+  EXPECT_NE(complaint([&] { registry.add(mine); }), "no complaint");
+  mine.name = "nothing";
+  mine.make = nullptr;
+  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'nothing'"));
+}
+
+TEST(FilterRegistry, NamesALibraryThatCannotBeLoaded) {
+  FilterRegistry registry;
+  EXPECT_THAT(complaint([&] { registry.loadLibrary("/nowhere/lib.so"); }),
+              HasSubstr("/nowhere/lib.so"));
+  EXPECT_THAT(
+      complaint([&] { registry.loadLibrary("libm.so.6"); }),
+      AllOf(HasSubstr("libm.so.6"), HasSubstr("adaptive_localization_register_filters_v1")));
+}
+
+/// Every built-in filter reads exactly the options that it lists, and its presets are of those.
+TEST(FilterRegistry, FiltersReadTheOptionsTheyList) {
+  const FilterRegistry registry;
+  for (const auto& name : registry.names()) {
+    const FilterDescription& filter = registry.find(name);
+    FilterContext given = context();
+    std::set<std::string> keys;
+    for (const auto& option : filter.options) {
+      EXPECT_TRUE(keys.insert(option.key).second) << name << " lists " << option.key << " twice";
+      EXPECT_FALSE(option.sentence.empty()) << option.key;
+      given.parameters.set(option.key, option.value);
+    }
+    filter.make(given);
+    EXPECT_THAT(given.parameters.unknownKeys(), testing::IsEmpty()) << name;
+  }
+}
+
+TEST(FilterRegistry, PresetsMakeFilters) {
+  const FilterRegistry registry;
+  for (const auto& name : registry.names()) {
+    const FilterDescription& filter = registry.find(name);
+    for (const auto& preset : {filter.recommended, filter.seed}) {
+      FilterContext given = context();
+      for (const auto& [key, value] : preset) given.parameters.set(key, value);
+      EXPECT_NE(filter.make(given), nullptr) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/filters/particle_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A filter with parts that record what they are told.
+struct Recording {
+  std::vector<double> likelihoods;  // told to the exploration
+  int explored{0};
+  double share{0.0};
+  Eigen::Index count{100};
+};
+
+class ScriptedExploration : public Exploration {
+ public:
+  explicit ScriptedExploration(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
+  void reset() override {}
+  void observe(double mean_likelihood) override { r_->likelihoods.push_back(mean_likelihood); }
+  double share() const override { return r_->share; }
+  void explored() override { ++r_->explored; }
+
+ private:
+  std::shared_ptr<Recording> r_;
+};
+
+class ScriptedSize : public SampleSize {
+ public:
+  explicit ScriptedSize(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
+  Eigen::Index initial() const override { return r_->count; }
+  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return r_->count; }
+
+ private:
+  std::shared_ptr<Recording> r_;
+};
+
+/// log p = -(x - 1)^2 per beam, ten independent beams.
+class HillModel : public ObservationModel {
+ public:
+  double score(const Observations&, const Particles& particles,
+               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override {
+    log_likelihood -= 10.0 * (particles.x - 1.0).square();
+    return 10.0;
+  }
+};
+
+ParticleFilter makeFilter(const std::shared_ptr<Recording>& recording, bool selective = false) {
+  MotionOptions motion;
+  motion.odom_model_type = "diff-corrected";
+  ParticleFilterParts parts;
+  parts.motion = makeMotionModel(motion);
+  parts.observation = std::make_unique<HillModel>();
+  parts.size = std::make_unique<ScriptedSize>(recording);
+  parts.exploration = std::make_unique<ScriptedExploration>(recording);
+  parts.elsewhere = std::make_unique<FreeSpaceSampler>(toyWorld({"."}, 1.0, {50.0, 50.0, 0.0}));
+  ParticleFilterOptions options;
+  options.resample_interval = 1;
+  options.selective_resampling = selective;
+  return ParticleFilter(options, std::move(parts), 1);
+}
+
+Gaussian2 at(double x, double deviation) {
+  Gaussian2 prior{{x, 0.0, 0.0}, Eigen::Matrix3d::Zero()};
+  prior.covariance(0, 0) = deviation * deviation;
+  return prior;
+}
+
+TEST(ParticleFilter, DrawsItsFirstParticlesFromTheGaussian) {
+  const auto recording = std::make_shared<Recording>();
+  recording->count = 20000;
+  ParticleFilter filter = makeFilter(recording);
+  Gaussian2 prior{{1.0, 2.0, kPi}, Eigen::Matrix3d::Zero()};
+  prior.covariance << 0.04, 0.03, 0.0, 0.03, 0.09, 0.0, 0.0, 0.0, 0.01;
+  filter.reset(prior);
+  const Estimate estimate = filter.estimate();
+  EXPECT_THAT(estimate.T_map_base, PoseNear(prior.mean, 0.05, 0.01));
+  const Particles& all = filter.hypotheses();
+  const Eigen::ArrayXd dx = all.x - all.x.mean(), dy = all.y - all.y.mean();
+  EXPECT_NEAR((dx * dx).mean(), 0.04, 0.002);
+  EXPECT_NEAR((dx * dy).mean(), 0.03, 0.003);
+  EXPECT_NEAR((dy * dy).mean(), 0.09, 0.004);
+}
+
+TEST(ParticleFilter, TellsTheMeanLikelihoodPerBeamBeforeWeightsAreNormalised) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(2.0, 0.0));
+  filter.update({}, Observations{});
+  filter.reset(at(1.5, 0.0));
+  filter.update({}, Observations{});
+  ASSERT_EQ(recording->likelihoods.size(), 2u);
+  EXPECT_NEAR(recording->likelihoods[0], std::exp(-1.0), 1e-9);  // one would be the normalised sum
+  EXPECT_NEAR(recording->likelihoods[1], std::exp(-0.25), 1e-9);
+}
+
+TEST(ParticleFilter, LooksElsewhereWithTheShareItIsTold) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(1.0, 0.0));
+  recording->share = 0.25;
+  const Estimate estimate = filter.update({}, Observations{});
+  EXPECT_EQ((filter.hypotheses().x > 49.0).count(), 25);
+  EXPECT_EQ(filter.hypotheses().size(), 100);
+  EXPECT_EQ(recording->explored, 1);
+  EXPECT_EQ(estimate.modes.size(), 1u);  // of what was weighed, not of what was just thrown in
+  recording->share = 0.0;
+  filter.update({}, Observations{});
+  EXPECT_EQ(recording->explored, 1);
+}
+
+TEST(ParticleFilter, ChangesItsSizeWhenTold) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(1.0, 0.1));
+  for (const Eigen::Index count : {30, 500, 1}) {
+    recording->count = count;
+    filter.update({}, Observations{});
+    EXPECT_EQ(filter.hypotheses().size(), count);
+  }
+}
+
+TEST(ParticleFilter, ConvergesToTheProductOfPriorAndLikelihoods) {
+  const auto recording = std::make_shared<Recording>();
+  recording->count = 20000;
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(0.8, 0.1));
+  Estimate estimate = filter.update({}, Observations{});
+  // prior N(0.8, 0.01), likelihood N(1, 1/20)
+  const double variance = 1.0 / (1.0 / 0.01 + 20.0);
+  EXPECT_NEAR(estimate.T_map_base.x, variance * (0.8 / 0.01 + 20.0), 0.004);
+  EXPECT_NEAR(estimate.covariance(0, 0), variance, 0.0004);
+  estimate = filter.update({}, Observations{});  // the same after resampling and once more
+  const double second = 1.0 / (1.0 / 0.01 + 40.0);
+  EXPECT_NEAR(estimate.T_map_base.x, second * (0.8 / 0.01 + 40.0), 0.004);
+  EXPECT_NEAR(estimate.covariance(0, 0), second, 0.0004);
+}
+
+TEST(ParticleFilter, KeepsWeightsUntilTooFewParticlesCount) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording, true);
+  filter.reset(at(1.0, 0.05));
+  filter.update({}, Observations{});
+  const Eigen::ArrayXd weights = filter.hypotheses().log_weight;
+  EXPECT_GT(weights.maxCoeff() - weights.minCoeff(), 1e-3);  // not resampled
+  filter.reset(at(3.0, 1.0));
+  filter.update({}, Observations{});
+  const Eigen::ArrayXd resampled = filter.hypotheses().log_weight;
+  EXPECT_NEAR(resampled.maxCoeff(), resampled.minCoeff(), 1e-12);
+}
+
+TEST(ParticleFilter, StartsAnewWithAsManyParticlesAsTheNewBeliefNeeds) {
+  SampleSizeOptions sizes;
+  sizes.min_particles = 50;
+  sizes.max_particles = 3000;
+  sizes.kld_count = "resampled";
+  ParticleFilterParts parts;
+  parts.motion = makeMotionModel(MotionOptions{});
+  parts.observation = std::make_unique<HillModel>();
+  parts.size = kldSampleSize(sizes);
+  parts.exploration = noExploration();
+  parts.elsewhere = std::make_unique<FreeSpaceSampler>(asymmetricWorld());
+  ParticleFilterOptions options;
+  options.selective_resampling = false;
+  ParticleFilter filter(options, std::move(parts), 1);
+  filter.reset(at(1.0, 0.01));
+  for (int i = 0; i < 3; ++i) filter.update({}, Observations{});
+  ASSERT_LT(filter.hypotheses().size(), 500);
+  filter.reset(Anywhere{});
+  filter.update({}, Observations{});
+  EXPECT_EQ(filter.hypotheses().size(), 3000);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

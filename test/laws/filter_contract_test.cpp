@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every filter must keep, whatever its name and preset.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/parallel.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_drive.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using Case = std::tuple<std::string, std::string>;  // filter, preset
+
+std::vector<std::string> allFilters() {
+  return FilterRegistry().names();
+}
+
+using Values = std::map<std::string, OptionValue>;
+
+std::unique_ptr<Filter> makeFilter(const Case& which, int max_particles, std::uint64_t seed = 1,
+                                   const Values& more = {}) {
+  const auto& [name, preset] = which;
+  const FilterRegistry registry;
+  const FilterDescription& description = registry.find(name);
+  FilterContext context;
+  context.map = asymmetricWorld();
+  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  context.seed = seed;
+  for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
+    context.parameters.set(key, value);
+  }
+  context.parameters.set("min_particles", OptionValue{100});
+  context.parameters.set("max_particles", OptionValue{max_particles});
+  for (const auto& [key, value] : more) context.parameters.set(key, value);
+  return description.make(context);
+}
+
+Gaussian2 roughly(const Pose2& mean) {
+  return {mean, Eigen::Vector3d(0.04, 0.04, 0.02).asDiagonal()};
+}
+
+class EveryFilter : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryFilter, IsSaneWhateverItIsGiven) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto map = asymmetricWorld();
+  const Observations good = ToyLaser{31}.observe(map, {1.0, 1.0, 0.0});
+  Observations no_numbers = good;
+  no_numbers.scan.x.setConstant(std::numeric_limits<float>::quiet_NaN());
+  no_numbers.scan.y.setConstant(std::numeric_limits<float>::quiet_NaN());
+  Observations invalid;
+  invalid.scan.invalid = 31;
+  Observations blind = ToyLaser{31, -2.0, 2.0, 0.02}.observe(map, {1.0, 1.0, 0.0});
+
+  const auto filter = makeFilter(GetParam(), 300);
+  filter->reset(roughly({1.0, 1.0, 0.0}));
+  for (const Observations& seen : {good, Observations{}, invalid, blind, no_numbers, good}) {
+    ASSERT_THAT(filter->update({0.1, 0.0, 0.1}, seen), IsSaneEstimate());
+    ASSERT_THAT(filter->estimate(), IsSaneEstimate());
+  }
+  for (const double odd : {nan, inf, -inf, 1e3, 1e12, -1e200, 1e308}) {
+    for (const Pose2& motion : {Pose2{odd, 0.0, 0.0}, Pose2{0.0, odd, 0.0}, Pose2{0.0, 0.0, odd}}) {
+      ASSERT_THAT(filter->update(motion, good), IsSaneEstimate()) << testing::PrintToString(motion);
+      ASSERT_THAT(filter->update({0.1, 0.0, 0.0}, good), IsSaneEstimate());
+      ASSERT_THAT(filter->estimate(), IsSaneEstimate());
+    }
+  }
+  filter->reset(roughly({1.0, 1.0, 0.0}));
+  EXPECT_THAT(filter->update({}, good).T_map_base, PoseNear(Pose2{1.0, 1.0, 0.0}, 0.3, 0.3));
+}
+
+TEST_P(EveryFilter, TakesEveryPrior) {
+  const auto map = asymmetricWorld();
+  const Observations seen = ToyLaser{31}.observe(map, {1.0, 1.0, 0.0});
+  const auto filter = makeFilter(GetParam(), 300);
+  Gaussian2 narrow{{3.0, 1.0, kPi}, Eigen::Matrix3d::Zero()};
+  filter->reset(narrow);
+  EXPECT_GT(filter->hypotheses().size(), 0);
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(narrow.mean, 1e-6, 1e-6));
+
+  Gaussian2 singular = narrow, negative = narrow, no_numbers = narrow, off_map = narrow;
+  singular.covariance(0, 0) = 0.04;
+  negative.covariance(0, 0) = -1.0;
+  no_numbers.covariance.setConstant(std::nan(""));
+  off_map.mean = {-500.0, 900.0, 1.0};
+  for (const Prior& prior : {Prior{singular}, Prior{negative}, Prior{no_numbers}, Prior{off_map},
+                             Prior{roughly({1.0, 1.0, 0.0})}, Prior{Anywhere{}}}) {
+    filter->reset(prior);
+    ASSERT_GT(filter->hypotheses().size(), 0);
+    ASSERT_THAT(filter->estimate(), IsSaneEstimate());
+    ASSERT_THAT(filter->update({}, seen), IsSaneEstimate());
+    ASSERT_GT(filter->hypotheses().size(), 0);
+  }
+}
+
+TEST_P(EveryFilter, StartsAnywhereInFreeSpace) {
+  const auto map = asymmetricWorld();
+  const auto filter = makeFilter(GetParam(), 1000);
+  filter->reset(Anywhere{});
+  const Particles& all = filter->hypotheses();
+  double leftmost = 10.0, rightmost = 0.0;
+  for (Eigen::Index i = 0; i < all.size(); ++i) {
+    ASSERT_TRUE(map->isFree(map->lattice().cellAt({all.x[i], all.y[i]})));
+    leftmost = std::min(leftmost, all.x[i]);
+    rightmost = std::max(rightmost, all.x[i]);
+  }
+  EXPECT_LT(leftmost, 1.0);
+  EXPECT_GT(rightmost, 9.0);
+}
+
+TEST_P(EveryFilter, GivesTheSameBitsForTheSameSeedAndAnyNumberOfThreads) {
+  const auto drive = toyDrive(asymmetricWorld(), 1, 15);
+  const auto run = [&](int threads) {
+    setThreads(threads);
+    const auto filter = makeFilter(GetParam(), 2500, 42);
+    filter->reset(Anywhere{});
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Estimate estimate = filter->update(drive[i].motion, drive[i].observations);
+      const Pose2& pose = estimate.T_map_base;
+      numbers.insert(numbers.end(), {pose.x, pose.y, pose.theta, estimate.covariance.sum(),
+                                     estimate.modes[0].mass, filter->hypotheses().x.sum()});
+    }
+    setThreads(1);
+    return numbers;
+  };
+  const auto once = run(1);
+  EXPECT_EQ(once, run(1));
+  EXPECT_EQ(once, run(2));
+  EXPECT_EQ(once, run(4));
+}
+
+TEST_P(EveryFilter, TracksARobotThatItKnowsRoughly) {
+  const auto drive = toyDrive(asymmetricWorld(), 2);
+  const auto filter = makeFilter(GetParam(), 1000);
+  filter->reset(roughly(drive.front().T_map_base));
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const Estimate estimate = filter->update(drive[i].motion, drive[i].observations);
+    ASSERT_THAT(estimate, IsSaneEstimate());
+    if (i < 10) continue;
+    ASSERT_THAT(estimate.T_map_base, PoseNear(drive[i].T_map_base, 0.15, 0.087)) << "step " << i;
+  }
+}
+
+TEST_P(EveryFilter, StartsAnewWhenTold) {
+  const auto drive = toyDrive(asymmetricWorld(), 3);
+  const auto filter = makeFilter(GetParam(), 1000);
+  filter->reset(roughly({8.0, 3.5, 2.0}));
+  for (std::size_t i = 0; i < 10; ++i) filter->update(drive[i].motion, drive[i].observations);
+  filter->reset(roughly(drive[9].T_map_base));
+  Estimate estimate;
+  for (std::size_t i = 10; i < 25; ++i) {
+    estimate = filter->update(drive[i].motion, drive[i].observations);
+  }
+  EXPECT_THAT(estimate.T_map_base, PoseNear(drive[24].T_map_base, 0.15, 0.087));
+}
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  return std::get<0>(info.param) + "_" + std::get<1>(info.param);
+}
+INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter,
+                         testing::Combine(testing::ValuesIn(allFilters()),
+                                          testing::Values("recommended", "seed")),
+                         nameOf);
+
+class GlobalLocalization : public testing::TestWithParam<const char*> {};
+
+TEST_P(GlobalLocalization, FindsTheRobotInAWorldWithoutTwins) {
+  const auto drive = toyDrive(asymmetricWorld(), 4);
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto filter = makeFilter({GetParam(), "recommended"}, 10000, seed,
+                                   {{"laser_sigma_hit", 0.2}, {"effective_beams", 12.0}});
+    filter->reset(Anywhere{});
+    Estimate estimate;
+    for (const ToyStep& step : drive) estimate = filter->update(step.motion, step.observations);
+    const Pose2& truth = drive.back().T_map_base;
+    if (distance(estimate.T_map_base, truth) < 0.15 &&
+        std::abs(wrapAngle(estimate.T_map_base.theta - truth.theta)) < 0.087) {
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, GlobalLocalization, testing::Values("kld", "amcl"));
+
+}  // namespace
+}  // namespace adaptive_localization
