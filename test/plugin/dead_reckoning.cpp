@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A filter core that lives in a library of its own: it believes its odometry and nothing else.
+#include "adaptive_localization/filter_registry.hpp"
+
+namespace {
+
+using namespace adaptive_localization;  // as a library of someone else would
+
+struct DeadReckoningOptions {
+  double scale{1.0};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("dead_reckoning_scale", scale, Range{0.5, 2.0}, "",
+           "What a metre of odometry is in metres.");
+  }
+};
+
+class DeadReckoning : public Filter {
+ public:
+  explicit DeadReckoning(const FilterContext& context)
+      : scale_(context.parameters.read<DeadReckoningOptions>().scale), particles_(1) {}
+
+  void reset(const Prior& prior) override {
+    const auto* gaussian = std::get_if<Gaussian2>(&prior);
+    particles_.setPose(0, gaussian ? gaussian->mean : Pose2{});
+  }
+
+  Estimate update(const Pose2& motion, const Observations&) override {
+    const Pose2 scaled{scale_ * motion.x, scale_ * motion.y, motion.theta};
+    particles_.setPose(0, particles_.pose(0) * scaled);
+    return estimate();
+  }
+
+  Estimate estimate() const override {
+    Mode mode;
+    mode.T_map_base = particles_.pose(0);
+    mode.mass = 1.0;
+    return {mode.T_map_base, mode.covariance, {mode}};
+  }
+
+  const Particles& hypotheses() const override { return particles_; }
+
+ private:
+  double scale_;
+  Particles particles_;
+};
+
+}  // namespace
+
+extern "C" void adaptive_localization_register_filters_v1(FilterRegistry& registry) {
+  registry.add({"dead_reckoning",
+                "Odometry alone.",
+                [](const FilterContext& context) -> std::unique_ptr<Filter> {
+                  return std::make_unique<DeadReckoning>(context);
+                },
+                describe(DeadReckoningOptions{}),
+                {},
+                {{"dead_reckoning_scale", 2.0}}});
+}

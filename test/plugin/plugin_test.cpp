@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Someone else's filter in a library of their own works as the built-in ones do.
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "adaptive_localization/localizer.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Parameters withPlugin() {
+  Parameters parameters;
+  parameters.set("plugins", OptionValue{std::string(PLUGIN)});
+  parameters.set("filter", OptionValue{std::string("dead_reckoning")});
+  return parameters;
+}
+
+TEST(Plugin, AddsItsFilterToTheRegistry) {
+  FilterRegistry registry;
+  registry.loadLibrary(PLUGIN);
+  EXPECT_THAT(registry.names(), Contains("dead_reckoning"));
+  EXPECT_THAT(registry.names(), Contains("mcl"));
+  EXPECT_EQ(registry.find("dead_reckoning").options.at(0).key, "dead_reckoning_scale");
+  EXPECT_THROW(registry.loadLibrary(PLUGIN), std::invalid_argument);  // the name is taken
+}
+
+TEST(Plugin, RunsInTheLocalizer) {
+  Localizer localizer(withPlugin(), asymmetricWorld());
+  EXPECT_THAT(localizer.unknownKeys(), IsEmpty());
+  localizer.reset(Gaussian2{{1.0, 1.0, kPi / 2}, Eigen::Matrix3d::Zero()});
+  const Observations seen = ToyLaser{}.observe(asymmetricWorld(), {1.0, 1.0, kPi / 2});
+  localizer.update({5.0, 5.0, 0.0}, seen);
+  const Localization answer = localizer.update({5.5, 5.0, 0.0}, seen);
+  EXPECT_THAT(answer.T_map_base, PoseNear(Pose2{1.0, 1.5, kPi / 2}, 1e-9, 1e-9));
+}
+
+TEST(Plugin, HasOptionsAndPresets) {
+  const auto travelled = [](const Parameters& parameters) {
+    Localizer localizer(parameters, asymmetricWorld());
+    localizer.reset(Gaussian2{});
+    localizer.update({}, Observations{});
+    return localizer.update({1.0, 0.0, 0.0}, Observations{}).T_map_base.x;
+  };
+  Parameters parameters = withPlugin();
+  EXPECT_DOUBLE_EQ(travelled(parameters), 1.0);
+  parameters.set("preset", OptionValue{std::string("seed")});
+  EXPECT_DOUBLE_EQ(travelled(parameters), 2.0);
+  parameters.set("dead_reckoning_scale", OptionValue{1.5});
+  EXPECT_DOUBLE_EQ(travelled(parameters), 1.5);
+  parameters.set("dead_reckoning_scale", OptionValue{3.0});
+  EXPECT_THROW(travelled(parameters), std::invalid_argument);
+}
+
+TEST(Plugin, IsNamedWhenItIsMissing) {
+  Parameters parameters = withPlugin();
+  parameters.set("plugins", OptionValue{std::string(PLUGIN) + ":/nowhere/lib.so"});
+  try {
+    Localizer(parameters, asymmetricWorld());
+    FAIL() << "loaded a library that does not exist";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/lib.so"));
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
