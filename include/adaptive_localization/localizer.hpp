@@ -23,7 +23,7 @@ struct LocalizerOptions {
   int seed{1};
   int threads{1};
   double update_min_d{0.1};
-  double update_min_a{0.1};
+  double update_min_a{0.05};
 
   template <class Visitor>
   void visit(Visitor&& option) {

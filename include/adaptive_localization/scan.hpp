@@ -46,7 +46,7 @@ struct Scan {
 };
 
 struct ScanOptions {
-  int laser_max_beams{60};
+  int laser_max_beams{180};
   double laser_min_range{-1.0};
   double laser_max_range{-1.0};
 

@@ -16,13 +16,13 @@ namespace adaptive_localization {
 /// Names and meanings are amcl's; odom_noise_* are ours.
 struct MotionOptions {
   std::string odom_model_type{"diff-corrected"};
-  double odom_alpha1{0.2};
-  double odom_alpha2{0.2};
-  double odom_alpha3{0.2};
-  double odom_alpha4{0.2};
-  double odom_alpha5{0.2};
-  double odom_noise_xy{0.0};
-  double odom_noise_theta{0.0};
+  double odom_alpha1{0.1};
+  double odom_alpha2{0.1};
+  double odom_alpha3{0.02};
+  double odom_alpha4{0.01};
+  double odom_alpha5{0.1};
+  double odom_noise_xy{0.01};
+  double odom_noise_theta{0.005};
 
   template <class Visitor>
   void visit(Visitor&& option) {

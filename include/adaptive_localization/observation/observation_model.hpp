@@ -18,11 +18,11 @@ struct ObservationOptions {
   double laser_z_hit{0.95};
   double laser_z_short{0.1};
   double laser_z_max{0.05};
-  double laser_z_rand{0.05};
-  double laser_sigma_hit{0.1};
+  double laser_z_rand{0.2};
+  double laser_sigma_hit{0.04};
   double laser_lambda_short{0.1};
   double laser_likelihood_max_dist{2.0};
-  double effective_beams{12.0};
+  double effective_beams{15.0};
   bool do_beamskip{false};
   double beam_skip_distance{0.5};
   double beam_skip_threshold{0.3};
