@@ -1,0 +1,20 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs a build into a folder of its own, runs what is installed and builds a foreign filter
+# against it: install_and_use.sh CMAKE BUILD_FOLDER WORK_FOLDER
+source "$(dirname "$0")/../../scripts/environment.sh"
+cmake=$1 build=$2 work=$3
+rm -rf "$work"
+
+DESTDIR=$work "$cmake" --install "$build" > "$work.log"
+installed=$(dirname "$(find "$work" -path '*/share/adaptive_localization' -type d)")/..
+for file in share/adaptive_localization/{config/filters/kld.yaml,launch/demo.launch,maps/maze/map.pgm} \
+  include/adaptive_localization/filter.hpp; do
+  if [ ! -f "$installed/$file" ]; then echo "not installed: $file" && exit 1; fi
+done
+env -u LD_LIBRARY_PATH "$installed/lib/adaptive_localization/list_options" > "$work/options"
+grep -q kld_err "$work/options"
+env -u LD_LIBRARY_PATH "$installed/lib/adaptive_localization/replay" --help > /dev/null
+
+"$cmake" -S "$(dirname "$0")" -B "$work/foreign" "-DCMAKE_PREFIX_PATH=$installed;${CMAKE_PREFIX_PATH:-}"
+"$cmake" --build "$work/foreign"
