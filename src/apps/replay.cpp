@@ -38,14 +38,14 @@ Log readLog(const ReplayCommand& command) {
   return log;
 }
 
-std::vector<StampedPose> estimates(const Run& run) {
+std::vector<StampedPose> estimates(const RunRecord& run) {
   std::vector<StampedPose> poses;
   for (const auto& step : run.steps) poses.push_back({step.stamp, step.T_map_base});
   return poses;
 }
 
 void writeResults(const ReplayCommand& command, const RunDescription& description,
-                  const OccupancyGrid& map, const Run& run) {
+                  const OccupancyGrid& map, const RunRecord& run) {
   const Metrics metrics = measure(run);
   if (!command.trajectory_file.empty()) saveTum(estimates(run), command.trajectory_file);
   if (!command.json_file.empty()) saveJson(toJson(description, metrics), command.json_file);
@@ -64,7 +64,7 @@ void replay(const ReplayCommand& command) {
   }
   localizer.reset(prior);
 
-  Run run;
+  RunRecord run;
   {
     ProgressBar bar(log.scans.size(), !command.is_quiet);
     run = runLog(log, localizer, [&bar](std::size_t done) { bar.show(done); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/bag_log.hpp"
 
+#include <console_bridge/console.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
@@ -44,6 +45,18 @@ std::optional<StampedPose> toStampedPose(const rosbag::MessageInstance& message)
   }
   return pose && isFinite(pose->pose) ? pose : std::nullopt;
 }
+
+/// Keeps tf and rosbag from printing a line of their own for each oddity of a recording.
+class Silence {
+ public:
+  Silence() { console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE); }
+  ~Silence() { console_bridge::setLogLevel(level_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  console_bridge::LogLevel level_{console_bridge::getLogLevel()};
+};
 
 class BagReader {
  public:
@@ -103,9 +116,9 @@ class BagReader {
       for (const auto& message : view) {
         try {
           action(message);
-        } catch (const ros::serialization::StreamOverrunException&) {
-          skip("a message of " + message.getTopic() + " is broken");
-        } catch (const std::length_error&) {  // an array longer than memory
+        } catch (const rosbag::BagException&) {
+          throw;
+        } catch (const std::exception&) {  // runs past its end, or is longer than memory
           skip("a message of " + message.getTopic() + " is broken");
         }
       }
@@ -152,6 +165,10 @@ class BagReader {
                               "' to the laser's frame " + join(unknown_frames) +
                               "; the laser is taken to sit at the robot's centre");
     }
+    if (frames_.refused() > 0) {
+      log_.warnings.push_back("transforms ignored, too old, repeated or not numbers: " +
+                              std::to_string(frames_.refused()));
+    }
     if (without_odometry > 0) {
       log_.skipped += without_odometry;
       log_.warnings.push_back("scans skipped for want of odometry at their stamps: " +
@@ -173,6 +190,7 @@ class BagReader {
 
 Log readBagLog(const LogRequest& request) {
   const std::string name = "bag '" + request.file + "': ";
+  const Silence silence;
   try {
     return BagReader(request).read();
   } catch (const rosbag::BagException& error) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "bag_log_topics.hpp"
@@ -35,7 +36,12 @@ void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (auto transform : message.transforms) {
     transform.header.frame_id = withoutSlash(transform.header.frame_id);
     transform.child_frame_id = withoutSlash(transform.child_frame_id);
-    buffer_.setTransform(transform, kAuthority, is_static);
+    try {
+      if (!buffer_.setTransform(transform, kAuthority, is_static)) ++refused_;
+    } catch (const std::runtime_error&) {  // a stamp too large for ros::Time's arithmetic
+      ++refused_;
+      continue;
+    }
     if (!is_static) newest_ = std::max(newest_, transform.header.stamp.toSec());
   }
   placeWaiting(false);
@@ -72,28 +78,39 @@ void BagFrames::placeWaiting(bool is_last_chance) {
   }
 }
 
+std::optional<geometry_msgs::Transform> BagFrames::lookUp(const std::string& target,
+                                                          const std::string& source,
+                                                          const ros::Time& stamp) const {
+  try {
+    if (!buffer_.canTransform(target, source, stamp)) return {};
+    return buffer_.lookupTransform(target, source, stamp).transform;
+  } catch (const std::runtime_error&) {  // stamps too far apart for ros::Duration
+    return {};
+  }
+}
+
 std::optional<Pose2> BagFrames::odometryAt(const ros::Time& stamp) const {
-  const std::string odom = withoutSlash(frames_.odom_frame_id);
-  const std::string base = withoutSlash(frames_.base_frame_id);
-  if (!buffer_.canTransform(odom, base, stamp)) return {};
-  const auto transform = buffer_.lookupTransform(odom, base, stamp).transform;
-  const Eigen::Matrix3d axes = rotation(transform.rotation);
-  const Pose2 pose{transform.translation.x, transform.translation.y,
+  const auto transform =
+      lookUp(withoutSlash(frames_.odom_frame_id), withoutSlash(frames_.base_frame_id), stamp);
+  if (!transform) return {};
+  const Eigen::Matrix3d axes = rotation(transform->rotation);
+  const Pose2 pose{transform->translation.x, transform->translation.y,
                    std::atan2(axes(1, 0), axes(0, 0))};
   return isFinite(pose) ? std::optional<Pose2>(pose) : std::nullopt;
 }
 
 void BagFrames::mount(PlacedScan& placed, const ros::Time& stamp) const {
   const std::string base = withoutSlash(frames_.base_frame_id);
-  if (placed.frame == base) {
-    placed.has_mount = true;
-    return;
-  }
+  placed.has_mount = placed.frame == base;
+  if (placed.has_mount) return;
   for (const ros::Time& instant : {stamp, ros::Time(0)}) {  // 0: the latest there is
-    if (!buffer_.canTransform(base, placed.frame, instant)) continue;
-    const auto transform = buffer_.lookupTransform(base, placed.frame, instant).transform;
-    placed.scan.mount.position = {transform.translation.x, transform.translation.y};
-    placed.scan.mount.axes = rotation(transform.rotation).topLeftCorner<2, 2>();
+    const auto transform = lookUp(base, placed.frame, instant);
+    if (!transform) continue;
+    LaserMount mount;
+    mount.position = {transform->translation.x, transform->translation.y};
+    mount.axes = rotation(transform->rotation).topLeftCorner<2, 2>();
+    if (!mount.position.allFinite() || !mount.axes.allFinite()) continue;
+    placed.scan.mount = mount;
     placed.has_mount = true;
     return;
   }

@@ -30,17 +30,24 @@ class BagFrames {
   void add(const tf2_msgs::TFMessage& message, bool is_static);
   void add(const sensor_msgs::LaserScan& scan);
 
+  /// Transforms that tf refused: older than what it keeps, repeated, or not numbers.
+  int refused() const { return refused_; }
+
   /// All scans, in order; to be called once, after the last message.
   std::vector<PlacedScan> finish();
 
  private:
   void placeWaiting(bool is_last_chance);
+  std::optional<geometry_msgs::Transform> lookUp(const std::string& target,
+                                                 const std::string& source,
+                                                 const ros::Time& stamp) const;
   std::optional<Pose2> odometryAt(const ros::Time& stamp) const;
   void mount(PlacedScan& placed, const ros::Time& stamp) const;
 
   FrameOptions frames_;
   tf2::BufferCore buffer_{ros::Duration(60.0)};
   double newest_{0.0};  // stamp of all transforms so far, s
+  int refused_{0};
   std::deque<sensor_msgs::LaserScan> waiting_;
   std::vector<PlacedScan> placed_;
 };

@@ -21,13 +21,21 @@ bool endsWith(const std::string& text, const std::string& ending) {
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Pulls a stamp that is later than those after it back to them: a message that waited in a queue.
-/// Returns how many.
+/// Spreads scans whose stamp is later than one after it, because the message waited in a queue,
+/// evenly between their neighbours. Returns how many.
 int repairStamps(std::vector<LogScan>& scans) {
+  std::vector<std::size_t> good_after(scans.size());  // the next scan whose stamp can be true
+  for (std::size_t i = scans.size(), good = i - 1; i-- > 0;) {
+    if (scans[i].scan.stamp <= scans[good].scan.stamp) good = i;
+    good_after[i] = good;
+  }
   int repaired = 0;
-  for (std::size_t i = scans.size(); i-- > 1;) {
-    if (scans[i - 1].scan.stamp <= scans[i].scan.stamp) continue;
-    scans[i - 1].scan.stamp = scans[i].scan.stamp;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const std::size_t good = good_after[i];
+    if (good == i) continue;
+    const double end = scans[good].scan.stamp;
+    const double start = i == 0 ? end : scans[i - 1].scan.stamp;
+    scans[i].scan.stamp = start + (end - start) / static_cast<double>(good - i + 1);
     ++repaired;
   }
   return repaired;
@@ -62,7 +70,7 @@ Log readCarmenLog(std::istream& input, const LogRequest& request) {
   }
   if (const int repaired = repairStamps(log.scans); repaired > 0) {
     log.warnings.push_back(
-        "scans with stamps later than those of the scans after them, pulled back: " +
+        "scans with stamps later than those of the scans after them, spread before these: " +
         std::to_string(repaired));
   }
   log.scans.erase(

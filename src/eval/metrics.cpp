@@ -78,7 +78,7 @@ double quantile(std::vector<double> values, double share) {
   return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-Metrics measure(const Run& run) {
+Metrics measure(const RunRecord& run) {
   std::vector<double> times, particles, confidences;
   for (const auto& step : run.steps) {
     confidences.push_back(step.confidence);

@@ -21,7 +21,7 @@ struct Paths {
   std::vector<Pose2> reference, estimate;
 };
 
-Paths pathsOf(const Run& run) {
+Paths pathsOf(const RunRecord& run) {
   Paths paths;
   for (const auto& step : run.steps) {
     paths.estimate.push_back(step.T_map_base);
@@ -43,7 +43,7 @@ std::vector<std::string> caption(const Metrics& metrics) {
 
 }  // namespace
 
-void savePlot(const OccupancyGrid& map, const Run& run, const Metrics& metrics,
+void savePlot(const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics,
               const std::string& file) {
   const Paths paths = pathsOf(run);
   auto shown = paths.estimate;

@@ -52,8 +52,8 @@ RunStep step(const LogScan& log_scan, Localizer& localizer) {
 
 }  // namespace
 
-Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
-  Run run;
+RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
+  RunRecord run;
   run.steps.reserve(log.scans.size());
   const auto start = Clock::now();
   const double cpu_at_start = cpuSeconds();

@@ -42,7 +42,7 @@ struct Metrics {
   std::optional<ErrorMetrics> errors;  // none without a reference
 };
 
-Metrics measure(const Run& run);
+Metrics measure(const RunRecord& run);
 
 /// The value below which a share of the values lies, interpolated linearly between ranks (type 7 of
 /// Hyndman and Fan 1996, numpy's default); 0 for no values.

@@ -10,7 +10,7 @@ namespace adaptive_localization {
 
 /// Draws the map around the run, the reference (blue) and the estimate (red) with legend, scale bar
 /// and the error in numbers. Throws std::runtime_error naming the file that could not be written.
-void savePlot(const OccupancyGrid& map, const Run& run, const Metrics& metrics,
+void savePlot(const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics,
               const std::string& file);
 
 }  // namespace adaptive_localization

@@ -25,7 +25,7 @@ struct RunStep {
 };
 
 /// A whole recording driven through the localizer.
-struct Run {
+struct RunRecord {
   std::vector<RunStep> steps;
   std::vector<std::string> warnings;
   int skipped{0};           // scans that could not be used
@@ -39,6 +39,6 @@ using RunProgress = std::function<void(std::size_t)>;
 
 /// Drives the localizer, which has its prior already, through all scans of the log, as fast as it
 /// goes. Scans that cannot be used are left out, with a warning; std::invalid_argument if all are.
-Run runLog(const Log& log, Localizer& localizer, const RunProgress& progress = {});
+RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress = {});
 
 }  // namespace adaptive_localization

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/metrics.hpp"
+
+#include <gmock/gmock.h>
+
+#include "adaptive_localization/eval/report.hpp"
+#include "support/temp_folder.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kDegree = kPi / 180.0;
+
+/// A step whose estimate is off by `error` metres and `heading` radians.
+RunStep step(double stamp, double error, double heading = 0.0) {
+  RunStep result;
+  result.stamp = stamp;
+  result.T_odom_base = {2.0 * stamp, 0.0, 0.0};
+  result.T_map_base_reference = Pose2{stamp, 5.0, 3.0};
+  result.T_map_base = {stamp, 5.0 + error, wrapAngle(3.0 + heading)};
+  return result;
+}
+
+ErrorMetrics errorsOf(std::vector<RunStep> steps) {
+  RunRecord run;
+  run.steps = std::move(steps);
+  return *measure(run).errors;
+}
+
+TEST(Quantile, InterpolatesBetweenRanks) {
+  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+  EXPECT_DOUBLE_EQ(quantile({7.0}, 0.95), 7.0);
+  EXPECT_DOUBLE_EQ(quantile({}, 0.5), 0.0);
+}
+
+TEST(Metrics, TakesErrorsAtEveryScan) {
+  auto steps = std::vector<RunStep>{step(0, 0.0), step(1, 0.1), step(2, -0.2), step(3, 0.2)};
+  steps[1].updated = true;
+  const ErrorMetrics errors = errorsOf(steps);
+  EXPECT_NEAR(errors.ate_rmse_m, 0.15, 1e-12);
+  EXPECT_NEAR(errors.ate_median_m, 0.15, 1e-12);
+  EXPECT_NEAR(errors.ate_p95_m, 0.2, 1e-12);
+  EXPECT_NEAR(errors.ate_max_m, 0.2, 1e-12);
+  EXPECT_NEAR(errors.final_error_m, 0.2, 1e-12);
+}
+
+TEST(Metrics, TakesHeadingTheShortWayRound) {
+  const ErrorMetrics errors =
+      errorsOf({step(0, 0.0, 10.0 * kDegree), step(1, 0.0, -350.0 * kDegree)});
+  EXPECT_NEAR(errors.heading_rmse_deg, 10.0, 1e-9);
+  EXPECT_NEAR(errors.final_heading_error_deg, 10.0, 1e-9);
+}
+
+TEST(Metrics, DoesNotAlignTheTrajectories) {
+  EXPECT_NEAR(errorsOf({step(0, 3.0), step(1, 3.0)}).ate_rmse_m, 3.0, 1e-12);
+}
+
+TEST(Metrics, ConvergesWhereItStaysToTheEnd) {
+  const ErrorMetrics errors =
+      errorsOf({step(10, 2.0), step(11, 0.1), step(12, 0.6), step(13, 0.4), step(14, 0.1)});
+  ASSERT_TRUE(errors.converged_at_s);
+  EXPECT_NEAR(*errors.converged_at_s, 3.0, 1e-12);
+  EXPECT_NEAR(errors.lost_share, 0.4, 1e-12);
+}
+
+TEST(Metrics, HeadingCountsForConvergence) {
+  const ErrorMetrics errors =
+      errorsOf({step(10, 0.1, 21.0 * kDegree), step(11, 0.1, 19.0 * kDegree)});
+  ASSERT_TRUE(errors.converged_at_s);
+  EXPECT_NEAR(*errors.converged_at_s, 1.0, 1e-12);
+}
+
+TEST(Metrics, NeverConvergesWhenLostAtTheEnd) {
+  const ErrorMetrics errors = errorsOf({step(0, 0.0), step(1, 0.51)});
+  EXPECT_FALSE(errors.converged_at_s);
+  EXPECT_NEAR(errors.lost_share, 0.5, 1e-12);
+}
+
+TEST(Metrics, HasNoErrorsWithoutReference) {
+  RunRecord run;
+  run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};
+  for (auto& s : run.steps) s.T_map_base_reference.reset();
+  const Metrics metrics = measure(run);
+  EXPECT_FALSE(metrics.errors);
+  EXPECT_NEAR(metrics.path_m, 4.0, 1e-12) << "of the odometry";
+  EXPECT_NEAR(metrics.duration_s, 2.0, 1e-12);
+}
+
+TEST(Metrics, LeavesOutScansWithoutReference) {
+  auto steps = std::vector<RunStep>{step(0, 0.1), step(1, 9.0), step(2, 0.1)};
+  steps[1].T_map_base_reference.reset();
+  const ErrorMetrics errors = errorsOf(steps);
+  EXPECT_NEAR(errors.ate_max_m, 0.1, 1e-12);
+  EXPECT_DOUBLE_EQ(errors.lost_share, 0.0);
+}
+
+TEST(Metrics, CountsTimesAndParticlesAtUpdatesOnly) {
+  RunRecord run;
+  run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};
+  run.steps[0].updated = run.steps[2].updated = true;
+  run.steps[0].update_ms = 2.0;
+  run.steps[1].update_ms = 100.0;
+  run.steps[2].update_ms = 4.0;
+  run.steps[0].particles = 1000;
+  run.steps[1].particles = 9999;
+  run.steps[2].particles = 500;
+  run.steps[0].confidence = 0.5;
+  run.steps[1].confidence = run.steps[2].confidence = 1.0;
+  const Metrics metrics = measure(run);
+  EXPECT_EQ(metrics.scans, 3);
+  EXPECT_EQ(metrics.updates, 2);
+  EXPECT_DOUBLE_EQ(metrics.update_ms_median, 3.0);
+  EXPECT_DOUBLE_EQ(metrics.update_ms_max, 4.0);
+  EXPECT_DOUBLE_EQ(metrics.particles_mean, 750.0);
+  EXPECT_EQ(metrics.particles_max, 1000);
+  EXPECT_NEAR(metrics.confidence_mean, 2.5 / 3.0, 1e-12);
+  EXPECT_NEAR(metrics.path_m, 2.0, 1e-12) << "of the reference";
+}
+
+TEST(Report, HoldsTheAgreedKeys) {
+  RunRecord run;
+  run.steps = {step(0, 0.1), step(1, 0.1)};
+  const auto json = toJson({"a.bag", "m.yaml", "kld", 7, 2}, measure(run));
+  for (const char* key : {"filter",
+                          "seed",
+                          "threads",
+                          "scans",
+                          "updates",
+                          "duration_s",
+                          "path_m",
+                          "wall_s",
+                          "cpu_s",
+                          "peak_rss_mb",
+                          "update_ms",
+                          "particles",
+                          "ate_rmse_m",
+                          "ate_median_m",
+                          "ate_p95_m",
+                          "ate_max_m",
+                          "heading_rmse_deg",
+                          "final_error_m",
+                          "final_heading_error_deg",
+                          "converged_at_s",
+                          "lost_share",
+                          "confidence_mean"}) {
+    ASSERT_TRUE(json.contains(key)) << key;
+    EXPECT_FALSE(json[key].is_null()) << key;
+  }
+  for (const char* key : {"median", "p99", "max"}) EXPECT_TRUE(json["update_ms"].contains(key));
+  for (const char* key : {"mean", "max"}) EXPECT_TRUE(json["particles"].contains(key));
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["filter"], "kld");
+}
+
+TEST(Report, ErrorsAreNullWithoutReference) {
+  RunRecord run;
+  run.steps = {step(0, 0.1)};
+  run.steps[0].T_map_base_reference.reset();
+  const auto json = toJson({"a.bag", "m.yaml", "kld", 1, 1}, measure(run));
+  for (const char* key : {"ate_rmse_m", "final_error_m", "converged_at_s", "lost_share"}) {
+    EXPECT_TRUE(json.at(key).is_null()) << key;
+  }
+  EXPECT_THAT(summarize({"a.bag", "m.yaml", "kld", 1, 1}, measure(run)), HasSubstr("no reference"));
+}
+
+TEST(Report, NeverConvergedIsNull) {
+  RunRecord run;
+  run.steps = {step(0, 9.0)};
+  const auto json = toJson({"a.bag", "m.yaml", "kld", 1, 1}, measure(run));
+  EXPECT_TRUE(json.at("converged_at_s").is_null());
+  EXPECT_DOUBLE_EQ(json.at("lost_share").get<double>(), 1.0);
+}
+
+TEST(Report, SurvivesNamesThatAreNoUnicode) {
+  const TempFolder folder;
+  saveJson(toJson({"\xff.bag", "m.yaml", "kld", 1, 1}, Metrics{}), folder.file("a.json"));
+  std::ifstream input(folder.file("a.json"));
+  EXPECT_EQ(nlohmann::json::parse(input).at("filter"), "kld");
+}
+
+TEST(Report, SaysWhichFileCannotBeWritten) {
+  EXPECT_THAT([] { saveJson({}, "/does/not/exist.json"); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("'/does/not/exist.json'")));
+}
+
+}  // namespace
+}  // namespace adaptive_localization

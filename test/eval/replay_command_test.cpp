@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/replay_command.hpp"
+
+#include <gmock/gmock.h>
+
+#include "adaptive_localization/eval/start.hpp"
+#include "support/temp_folder.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+ReplayCommand parse(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"--map", "m.yaml", "--log", "a.bag"});
+  return parseReplayCommand(arguments);
+}
+
+void expectRejected(const std::vector<std::string>& arguments, const std::string& why) {
+  EXPECT_THAT([&] { parseReplayCommand(arguments); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
+}
+
+TEST(ReplayCommand, ReadsAllItsArguments) {
+  const ReplayCommand command =
+      parse({"--start", "-1,2,-3", "--begin", "10.5", "--end", "1e3", "--scan-topic", "/s",
+             "--odom-topic", "/o", "--truth-topic", "/t", "--trajectory", "o.tum", "--json",
+             "o.json", "--plot", "o.png", "--quiet"});
+  EXPECT_EQ(command.map, "m.yaml");
+  EXPECT_EQ(command.log.file, "a.bag");
+  EXPECT_EQ(command.start, "-1,2,-3");
+  EXPECT_DOUBLE_EQ(command.log.begin, 10.5);
+  EXPECT_DOUBLE_EQ(command.log.end, 1000.0);
+  EXPECT_EQ(command.log.scan_topic, "/s");
+  EXPECT_EQ(command.log.odom_topic, "/o");
+  EXPECT_EQ(command.log.truth_topic, "/t");
+  EXPECT_EQ(command.trajectory_file, "o.tum");
+  EXPECT_EQ(command.json_file, "o.json");
+  EXPECT_EQ(command.plot_file, "o.png");
+  EXPECT_TRUE(command.is_quiet);
+  EXPECT_EQ(parse({"--truth", "t.tum"}).truth_file, "t.tum");
+}
+
+TEST(ReplayCommand, LayersParameters) {
+  const TempFolder folder;
+  const auto first = folder.write("1.yaml", "a: 1\nb: 1\nc: 1\nseed: 1\n");
+  const auto second = folder.write("2.yaml", "b: 2\nc: 2\nseed: 2\n");
+  const ReplayCommand command = parse(
+      {"--seed", "4", "--set", "c=3", "seed=3", "--params", first, second, "--filter", "kld"});
+  const auto value = [&](const char* key) { return toText(command.parameters.values().at(key)); };
+  EXPECT_EQ(value("a"), "1");
+  EXPECT_EQ(value("b"), "2");
+  EXPECT_EQ(value("c"), "3");
+  EXPECT_EQ(value("seed"), "4");
+  EXPECT_EQ(value("filter"), "kld");
+}
+
+TEST(ReplayCommand, RejectsWhatItDoesNotKnow) {
+  const std::vector<std::string> given{"--map", "m", "--log", "a"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), given.begin(), given.end());
+    return more;
+  };
+  expectRejected(with({"--speed", "3"}), "unknown argument '--speed'");
+  expectRejected(with({"stray"}), "unknown argument 'stray'");
+  expectRejected(with({"--seed"}), "--seed needs a value");
+  expectRejected(with({"--start", "--quiet"}), "--start needs a value");
+  expectRejected(with({"--seed", "two"}), "--seed: got 'two', expected a number");
+  expectRejected(with({"--begin", "nan"}), "--begin: got 'nan', expected a number");
+  expectRejected(with({"--begin", "2", "--end", "1"}), "--begin is later than --end");
+  expectRejected(with({"--set", "alpha1"}), "--set: got 'alpha1', expected KEY=VALUE");
+  expectRejected(with({"--truth", "a", "--truth-topic", "b"}), "exclude each other");
+  expectRejected(with({"--params", "/does/not/exist.yaml"}), "/does/not/exist.yaml");
+  expectRejected({"--log", "a"}, "--map is missing");
+  expectRejected({"--map", "m"}, "--log is missing");
+  expectRejected({}, "--map is missing");
+}
+
+TEST(ReplayCommand, HelpNeedsNothingElse) {
+  EXPECT_TRUE(parseReplayCommand({"--help"}).wants_help);
+  EXPECT_THAT(replayUsage(), HasSubstr("--truth-topic"));
+}
+
+Log threeScans() {
+  Log log;
+  log.scans.resize(3);
+  log.scans[1].T_map_base = Pose2{1.0, 2.0, 0.5};
+  log.scans[2].T_map_base = Pose2{9.0, 9.0, 0.9};
+  return log;
+}
+
+TEST(Start, TakesTheFirstReferenceAndDropsTheScansBefore) {
+  for (const char* start : {"truth", ""}) {
+    Log log = threeScans();
+    const auto prior = std::get<Gaussian2>(startPrior(start, {}, log));
+    EXPECT_DOUBLE_EQ(prior.mean.x, 1.0);
+    EXPECT_DOUBLE_EQ(prior.mean.theta, 0.5);
+    EXPECT_NEAR(prior.covariance(0, 0), 0.04, 1e-12);
+    EXPECT_NEAR(prior.covariance(2, 2), 0.14 * 0.14, 1e-12);
+    EXPECT_EQ(log.scans.size(), 2U);
+    EXPECT_THAT(log.warnings, ElementsAre(HasSubstr("1 scans before the reference")));
+  }
+}
+
+TEST(Start, IsAnywhereWithoutReferenceOrIfAsked) {
+  Log log = threeScans();
+  EXPECT_TRUE(std::holds_alternative<Anywhere>(startPrior("global", {}, log)));
+  EXPECT_EQ(log.scans.size(), 3U);
+  log.scans.resize(1);
+  EXPECT_TRUE(std::holds_alternative<Anywhere>(startPrior("", {}, log)));
+  EXPECT_THAT([&] { startPrior("truth", {}, log); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("no reference at any scan")));
+}
+
+TEST(Start, ReadsAPose) {
+  Log log = threeScans();
+  StartOptions options;
+  options.initial_cov_yy = 0.25;
+  const auto prior = std::get<Gaussian2>(startPrior("-1.5,2e1,4", options, log));
+  EXPECT_DOUBLE_EQ(prior.mean.x, -1.5);
+  EXPECT_DOUBLE_EQ(prior.mean.y, 20.0);
+  EXPECT_DOUBLE_EQ(prior.mean.theta, 4.0 - 2.0 * kPi);
+  EXPECT_DOUBLE_EQ(prior.covariance(1, 1), 0.25);
+  for (const char* wrong : {"here", "1,2", "1,2,3,4", "1;2;3", "nan,0,0", "1,2,x"}) {
+    EXPECT_THAT([&] { startPrior(wrong, options, log); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(wrong)));
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
