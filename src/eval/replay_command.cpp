@@ -19,7 +19,7 @@ double toNumber(const std::string& name, const std::string& text) {
   return number;
 }
 
-/// Options of the command by name; each takes one value, those named in `kLists` one or more.
+/// What to do with the value of each option.
 using Handlers = std::map<std::string, std::function<void(const std::string&)>>;
 
 bool isOption(const std::string& argument) {

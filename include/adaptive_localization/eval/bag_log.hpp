@@ -8,8 +8,11 @@ namespace adaptive_localization {
 /// Reads a rosbag. Odometry at each scan's stamp and the laser's mount come from /tf and
 /// /tf_static; where /tf has no odometry, from a nav_msgs/Odometry topic, also when
 /// request.odom_topic names it. Static transforms count whenever they were recorded. The reference
-/// is a topic of PoseStamped, PoseWithCovarianceStamped or Odometry. What can be read of a bag that
-/// was cut off is read. Throws std::invalid_argument naming the bag and what is wrong with it.
+/// is a topic of PoseStamped, PoseWithCovarianceStamped or Odometry. Broken messages are skipped
+/// and counted.
+///
+/// Throws std::invalid_argument naming the bag and what is wrong with it. A bag that was cut off or
+/// never closed has no index and is rejected.
 Log readBagLog(const LogRequest& request);
 
 }  // namespace adaptive_localization
