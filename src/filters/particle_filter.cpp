@@ -61,7 +61,8 @@ void ParticleFilter::weigh(const Observations& observations) {
   if (beams <= 0.0) return;
   const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
   parts_.exploration->observe((weights * (log_likelihood / beams).exp()).sum());
-  particles_.log_weight += log_likelihood;
+  particles_.log_weight += log_likelihood * temperingExponent(particles_.log_weight, log_likelihood,
+                                                              options_.min_effective_share);
 }
 
 bool ParticleFilter::resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere) {

@@ -15,14 +15,17 @@ namespace adaptive_localization {
 struct ParticleFilterOptions {
   int resample_interval{1};
   bool selective_resampling{true};
+  double min_effective_share{0.1};
 
   template <class Visitor>
   void visit(Visitor&& option) {
     option("resample_interval", resample_interval, Range{1, 1000}, "",
            "Resample at every n-th update at the most.");
     option("selective_resampling", selective_resampling,
-           "Resample only when the effective number of particles is below half of them, or when "
-           "their number shall change much.");
+           "Resample only when the effective number of particles is below half of them.");
+    option("min_effective_share", min_effective_share, kProbability, "",
+           "Share of the effective particles that an update keeps at least, by tempering a "
+           "likelihood that is too sharp for them; 0: never tempers.");
   }
 };
 

@@ -12,7 +12,7 @@ namespace adaptive_localization {
 
 struct SampleSizeOptions {
   int min_particles{500};
-  int max_particles{5000};
+  int max_particles{20000};
   double kld_err{0.02};
   double kld_z{2.33};
   double kld_bin_xy{0.5};
