@@ -13,6 +13,7 @@ constexpr int kLongSide = 1400;        // px
 constexpr int kMargin = 84;            // px, for legend and caption
 constexpr double kSurroundings = 3.0;  // m shown around the poses
 constexpr double kNarrowest = 8.0;     // m shown at least
+constexpr double kSlimmest = 0.6;      // width by height at least, so that the caption fits
 constexpr double kFarthest = 1e6;      // m; a pose further off is not drawn
 constexpr int kFractionBits = 4;       // OpenCV's sub-pixel coordinates
 const cv::Scalar kBlack(0, 0, 0);
@@ -52,6 +53,9 @@ Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses) : marg
   }
   const double widest = std::max(box.right - box.left, box.top - box.bottom);
   box.grow(std::max(kSurroundings, 0.5 * (kNarrowest - widest)));
+  const double lacking = kSlimmest * (box.top - box.bottom) - (box.right - box.left);
+  box.left -= std::max(0.0, 0.5 * lacking);
+  box.right += std::max(0.0, 0.5 * lacking);
   left_ = box.left;
   top_ = box.top;
   pixels_per_metre_ = kLongSide / std::max(box.right - box.left, box.top - box.bottom);

@@ -56,6 +56,9 @@ TEST_P(RecordedDrive, IsFollowed) {
                           std::to_string(drive.begin), "--end", std::to_string(drive.end),
                           drive.reference_argument, (is_file ? folder : "") + drive.reference,
                           "--filter", "kld", "--seed", "1", "--json", results.file("o.json")});
+  if (result.errors.find("built without rosbag") != std::string::npos) {
+    GTEST_SKIP() << result.errors;
+  }
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(readWhole(results.file("o.json")));
   EXPECT_GT(json.at("scans"), 500);
