@@ -54,6 +54,7 @@ class HillModel : public ObservationModel {
 ParticleFilter makeFilter(const std::shared_ptr<Recording>& recording, bool selective = false) {
   MotionOptions motion;
   motion.odom_model_type = "diff-corrected";
+  motion.odom_noise_xy = motion.odom_noise_theta = 0.0;
   ParticleFilterParts parts;
   parts.motion = makeMotionModel(motion);
   parts.observation = std::make_unique<HillModel>();

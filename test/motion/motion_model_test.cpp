@@ -18,6 +18,7 @@ MotionOptions modelOptions(const std::string& type, double alpha) {
   options.odom_model_type = type;
   options.odom_alpha1 = options.odom_alpha2 = options.odom_alpha3 = alpha;
   options.odom_alpha4 = options.odom_alpha5 = alpha;
+  options.odom_noise_xy = options.odom_noise_theta = 0.0;
   return options;
 }
 
