@@ -43,11 +43,11 @@ class Tracking(LocalizationCase):
         return None
 
     def test_cloud_confidence_and_status_are_published(self):
+        self.wait_for(lambda: len(self.errors()) > 10, "some poses")
         cloud = rospy.wait_for_message("particlecloud", PoseArray, 10)
         self.assertEqual(cloud.header.frame_id, "map")
         self.assertGreaterEqual(len(cloud.poses), 100)
-        self.wait_for(lambda: self.errors(), "a first pose")
-        x, y, yaw = self.truth_at(self.errors()[-1][0])
+        x, y, yaw = self.truths[-1][1:]
         near = [p for p in map(planar, cloud.poses)
                 if abs(p[0] - x) < 1 and abs(p[1] - y) < 1 and abs(wrap(p[2] - yaw)) < 1]
         self.assertGreater(len(near), 0.8 * len(cloud.poses))
