@@ -10,6 +10,8 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;
+constexpr std::size_t kReasonsKept = 100;
+const ros::WallDuration kSayAgain(5.0);
 const ros::WallDuration kWatchPeriod(15.0);
 
 }  // namespace
@@ -55,8 +57,13 @@ void ScanSource::onPlaced(const sensor_msgs::LaserScan::ConstPtr& message) {
 
 void ScanSource::drop(const std::string& why) {
   ++counts_.dropped;
-  ROS_WARN_THROTTLE(5.0, "Scan dropped (%d of %d so far): %s", counts_.dropped, counts_.received,
-                    why.c_str());
+  // The same reason, whatever its figures, is said now and then; another one at once.
+  if (said_.size() > kReasonsKept) said_.clear();
+  ros::WallTime& said = said_[why.substr(0, why.find_first_of("0123456789"))];
+  const auto now = ros::WallTime::now();
+  if (now - said < kSayAgain) return;
+  said = now;
+  ROS_WARN("Scan dropped (%d of %d so far): %s", counts_.dropped, counts_.received, why.c_str());
 }
 
 void ScanSource::watch() {

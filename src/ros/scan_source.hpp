@@ -7,6 +7,7 @@
 #include <tf2_ros/message_filter.h>
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "adaptive_localization/scan.hpp"
@@ -46,6 +47,7 @@ class ScanSource {
   Counts counts_;
   Counts counts_at_watch_;
   std::string last_frame_;
+  std::map<std::string, ros::WallTime> said_;  // reasons for dropping scans
   Filter filter_;
   ros::Subscriber subscriber_;
   ros::WallTimer watchdog_;
