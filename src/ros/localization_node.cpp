@@ -85,7 +85,7 @@ bool LocalizationNode::onMap(const nav_msgs::OccupancyGrid& message) {
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount) {
   if (!localizer_) {
-    ROS_WARN_THROTTLE(15.0, "Scans wait for the map");
+    ROS_WARN_DELAYED_THROTTLE(5.0, "Scans wait for the map");
     return false;
   }
   const ros::Time& stamp = message.header.stamp;
