@@ -101,6 +101,11 @@ class BadMessages(LocalizationCase):
         self.check_dropped(still, "angle_increment")
         self.check_dropped(short, "range_max")
 
+        self.check_pose()
+        self.maps.publish(room())  # a new map does not cost the pose
+        self.check_pose()
+
+    def check_pose(self):
         self.poses.clear()
         self.wait_for(lambda: self.update() or len(self.poses) >= 10, "poses from good scans")
         _, x, y, yaw = self.poses[-1]

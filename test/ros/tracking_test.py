@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The simulated robot drives through the maze from a start that the node knows."""
+import math
 import sys
 
 import rospy
@@ -23,6 +24,10 @@ class Tracking(LocalizationCase):
             self.assertLess(metres, 0.15, "at %.1f s" % stamp)
             self.assertLess(degrees, 5.0, "at %.1f s" % stamp)
         self.assertEqual(self.status(), "tracking")
+
+        kept = [rospy.get_param("adaptive_localization/initial_pose_" + axis) for axis in "xya"]
+        near = [p for p in self.poses[-30:] if math.dist(kept, p[1:]) < 0.3]
+        self.assertTrue(near, "%s was kept, no recent pose is near" % kept)
 
     def test_transform_agrees_with_the_pose_and_is_post_dated(self):
         self.wait_for(lambda: self.errors(), "a first pose")
