@@ -14,7 +14,7 @@ struct ConfidenceOptions {
   double confidence_high_inliers{0.75};
   double confidence_rate{0.2};
   double converged_std{0.5};
-  double ambiguous_mass{0.2};
+  double ambiguous_mass{0.1};
 
   template <class Visitor>
   void visit(Visitor&& option) {

@@ -51,13 +51,13 @@ FilterDescription particleFilter(const std::string& name, const std::string& sen
 /// What the source of mcl, kld and sa_kld used on its Pioneer 3-DX (constant motion noise, 30 beams
 /// and ray casting, an update per odometry step), where it differs from our defaults.
 Preset source(Preset more) {
-  Preset preset{{"odom_alpha1", 0.0},        {"odom_alpha2", 0.0},
-                {"odom_alpha3", 0.0},        {"odom_alpha4", 0.0},
-                {"odom_noise_xy", 0.020},    {"odom_noise_theta", 0.015},
-                {"laser_max_beams", 30},     {"laser_model_type", std::string("inverse_l1")},
-                {"laser_max_range", 10.0},   {"update_min_d", 0.0},
-                {"update_min_a", 0.0},       {"selective_resampling", false},
-                {"min_effective_share", 0.0}};
+  Preset preset{{"odom_alpha1", 0.0},         {"odom_alpha2", 0.0},
+                {"odom_alpha3", 0.0},         {"odom_alpha4", 0.0},
+                {"odom_noise_xy", 0.020},     {"odom_noise_theta", 0.015},
+                {"laser_max_beams", 30},      {"laser_model_type", std::string("inverse_l1")},
+                {"laser_max_range", 10.0},    {"update_min_d", 0.0},
+                {"update_min_a", 0.0},        {"selective_resampling", false},
+                {"min_effective_share", 0.0}, {"laser_sigma_sparse", 0.0}};
   more.insert(preset.begin(), preset.end());
   return more;
 }
@@ -91,6 +91,9 @@ std::vector<FilterDescription> builtinFilters() {
                           {"resample_interval", 2},
                           {"selective_resampling", false},
                           {"min_effective_share", 0.0},
+                          {"laser_sigma_sparse", 0.0},
+                          {"recovery_margin", 1.0},
+                          {"recovery_reference", std::string("mean")},
                           {"max_particles", 5000}};
   std::vector<FilterDescription> filters;
   filters.push_back(particleFilter(

@@ -72,7 +72,8 @@ bool ParticleFilter::resamplingIsDue(const Eigen::ArrayXd& weights, double elsew
 }
 
 void ParticleFilter::resample(const Eigen::ArrayXd& weights, double elsewhere) {
-  const Eigen::Index count = parts_.size->next(particles_, weights, rng_);
+  const Eigen::Index count =
+      parts_.size->next({particles_, weights, *parts_.elsewhere, elsewhere}, rng_);
   const auto away = static_cast<Eigen::Index>(std::floor(elsewhere * static_cast<double>(count)));
   Particles next = select(particles_, systematicIndices(weights, count - away, rng_));
   const Eigen::Index stay = next.size();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "adaptive_localization/pose_bins.hpp"
 #include "score_field.hpp"
 
 namespace adaptive_localization {
@@ -17,6 +18,17 @@ bool isCompact(const Particles& particles) {
     return ((column - column.mean()).abs() <= 0.5).all();
   };
   return particles.size() > 0 && within(particles.x) && within(particles.y);
+}
+
+/// Whether a bin of half a metre and 10 degrees holds fewer than 30 particles on average.
+bool isSparse(const Particles& particles) {
+  constexpr int kPerBin = 30;
+  PoseBins bins(0.5, kPi / 18.0);
+  const auto most = static_cast<int>(particles.size() / kPerBin);
+  for (Eigen::Index i = 0; i < particles.size() && bins.count() <= most; ++i) {
+    bins.add(particles.pose(i));
+  }
+  return bins.count() > most;
 }
 
 }  // namespace
@@ -33,24 +45,32 @@ LikelihoodField::LikelihoodField(const ObservationOptions& options,
 
 LikelihoodField::~LikelihoodField() = default;
 
-double LikelihoodField::likelihood(double distance, double max_range) const {
-  const double deviations = distance / options_.laser_sigma_hit;
+double LikelihoodField::likelihood(double distance, double max_range, double sigma) const {
+  const double deviations = distance / sigma;
   const double p = options_.laser_z_hit * std::exp(-0.5 * deviations * deviations) +
                    options_.laser_z_rand / max_range;
   return std::max(p, 1e-12);  // both weights may be zero
 }
 
-const ScoreField& LikelihoodField::fieldFor(double max_range) const {
-  auto& field = fields_[max_range];
-  if (!field) {
+double LikelihoodField::sigmaFor(const Particles& particles) const {
+  const double sigma = options_.laser_sigma_hit;
+  return options_.laser_sigma_sparse > sigma && isSparse(particles) ? options_.laser_sigma_sparse
+                                                                    : sigma;
+}
+
+const ScoreField& LikelihoodField::fieldFor(double max_range, double sigma) const {
+  Table& table = tables_[max_range];
+  if (!table.field || table.sigma != sigma) {
     const bool cubed = options_.laser_model_type == "likelihood_field_cubed";
-    field = std::make_unique<ScoreField>(*field_, options_.laser_likelihood_max_dist,
-                                         [&](double distance) {
-                                           const double p = likelihood(distance, max_range);
-                                           return cubed ? p * p * p : std::log(p);
-                                         });
+    table.sigma = sigma;
+    table.field.reset();  // two at once would double the memory
+    table.field = std::make_unique<ScoreField>(
+        *field_, options_.laser_likelihood_max_dist, [&](double distance) {
+          const double p = likelihood(distance, max_range, sigma);
+          return cubed ? p * p * p : std::log(p);
+        });
   }
-  return *field;
+  return *table.field;
 }
 
 Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) const {
@@ -82,7 +102,7 @@ double LikelihoodField::score(const Observations& observations, const Particles&
   if (hits == 0 || particles.size() == 0) return 0.0;
 
   Eigen::ArrayXd sums(particles.size());
-  fieldFor(scan.max_range).sum(scan.x, scan.y, particles, sums);
+  fieldFor(scan.max_range, sigmaFor(particles)).sum(scan.x, scan.y, particles, sums);
   if (options_.laser_model_type == "likelihood_field_cubed") {
     log_likelihood += sums.log1p();
     return 1.0;

@@ -29,16 +29,22 @@ class Augmented : public Exploration {
     }
     w_slow_ += options_.recovery_alpha_slow * (w - w_slow_);
     w_fast_ += options_.recovery_alpha_fast * (w - w_fast_);
+    if (isBest()) w_slow_ = std::max(w_slow_, w_fast_);
   }
 
   double share() const override {
     const bool on = options_.recovery_alpha_slow > 0.0 && options_.recovery_alpha_fast > 0.0;
-    return on && w_slow_ > 0.0 ? std::max(0.0, 1.0 - w_fast_ / w_slow_) : 0.0;
+    if (!on || w_slow_ <= 0.0) return 0.0;
+    return std::max(0.0, 1.0 - options_.recovery_margin * w_fast_ / w_slow_);
   }
 
-  void explored() override { reset(); }
+  void explored() override {
+    if (!isBest()) reset();
+  }
 
  private:
+  bool isBest() const { return options_.recovery_reference == "best"; }
+
   ExplorationOptions options_;
   double w_slow_{0.0};
   double w_fast_{0.0};

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "adaptive_localization/particle/pose_bins.hpp"
+#include "adaptive_localization/pose_bins.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -15,7 +15,7 @@ class Fixed : public SampleSize {
  public:
   explicit Fixed(Eigen::Index size) : size_(size) {}
   Eigen::Index initial() const override { return size_; }
-  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return size_; }
+  Eigen::Index next(const Belief&, Rng&) override { return size_; }
 
  private:
   Eigen::Index size_;
@@ -30,19 +30,25 @@ class KldDrawn : public SampleSize {
 
   Eigen::Index initial() const override { return options_.max_particles; }
 
-  Eigen::Index next(const Particles& particles, const Eigen::ArrayXd& weights, Rng& rng) override {
-    std::vector<double> cumulative(static_cast<std::size_t>(weights.size()));
+  Eigen::Index next(const Belief& belief, Rng& rng) override {
+    std::vector<double> cumulative(static_cast<std::size_t>(belief.weights.size()));
     double sum = 0.0;
     for (std::size_t i = 0; i < cumulative.size(); ++i) {
-      cumulative[i] = sum += weights[static_cast<Eigen::Index>(i)];
+      cumulative[i] = sum += belief.weights[static_cast<Eigen::Index>(i)];
     }
+    const auto draw = [&]() {
+      if (belief.elsewhere > 0.0 && rng.uniform() < belief.elsewhere) {
+        return belief.sampler.draw(rng);
+      }
+      const auto at = std::upper_bound(cumulative.begin(), cumulative.end(), sum * rng.uniform());
+      const auto i = std::min<Eigen::Index>(at - cumulative.begin(), belief.particles.size() - 1);
+      return belief.particles.pose(i);
+    };
     PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);
     Eigen::Index needed = options_.min_particles;
     for (Eigen::Index drawn = 1; drawn <= options_.max_particles; ++drawn) {
-      const auto at = std::upper_bound(cumulative.begin(), cumulative.end(), sum * rng.uniform());
-      const auto i = std::min<Eigen::Index>(at - cumulative.begin(), particles.size() - 1);
       const int before = bins.count();
-      bins.add(particles.pose(i));
+      bins.add(draw());
       if (bins.count() > before) needed = sizeFor(bins.count());
       if (drawn >= needed) return drawn;
     }
@@ -64,7 +70,7 @@ class KldResampled : public KldDrawn {
   explicit KldResampled(const SampleSizeOptions& options)
       : KldDrawn(options), next_(options.max_particles) {}
 
-  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return next_; }
+  Eigen::Index next(const Belief&, Rng&) override { return next_; }
 
   void observe(const Particles& particles) override {
     PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);

@@ -35,7 +35,7 @@ class ScriptedSize : public SampleSize {
  public:
   explicit ScriptedSize(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
   Eigen::Index initial() const override { return r_->count; }
-  Eigen::Index next(const Particles&, const Eigen::ArrayXd&, Rng&) override { return r_->count; }
+  Eigen::Index next(const Belief&, Rng&) override { return r_->count; }
 
  private:
   std::shared_ptr<Recording> r_;

@@ -15,7 +15,10 @@ double bruteForce(const OccupancyGrid& grid, const Cell& from) {
   double nearest = 1e9;
   for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
     const Cell cell = grid.lattice().cell(i);
-    if (grid.isOccupied(cell)) {
+    const bool inside =
+        grid.isOccupied({cell.x + 1, cell.y}) && grid.isOccupied({cell.x - 1, cell.y}) &&
+        grid.isOccupied({cell.x, cell.y + 1}) && grid.isOccupied({cell.x, cell.y - 1});
+    if (grid.isOccupied(cell) && !inside) {
       nearest = std::min(nearest, std::hypot(cell.x - from.x, cell.y - from.y));
     }
   }
@@ -27,7 +30,7 @@ TEST(DistanceField, IsTheBruteForceDistanceOnRandomGrids) {
   for (int trial = 0; trial < 40; ++trial) {
     const Lattice lattice(1 + static_cast<int>(rng.below(40)), 1 + static_cast<int>(rng.below(30)),
                           rng.uniform(0.02, 0.5), {1.0, 2.0, 0.5});
-    const auto grid = randomGrid(rng, lattice, 0.02);
+    const auto grid = randomGrid(rng, lattice, trial % 2 == 0 ? 0.02 : 0.8);
     const DistanceField field(*grid);
     for (std::size_t i = 0; i < lattice.size(); ++i) {
       const double expected = bruteForce(*grid, lattice.cell(i));
@@ -35,6 +38,15 @@ TEST(DistanceField, IsTheBruteForceDistanceOnRandomGrids) {
       ASSERT_NEAR(field.at(lattice.cell(i)), expected, 0.51 * field.metresPerStep());
     }
   }
+}
+
+TEST(DistanceField, GrowsIntoThickWalls) {
+  const DistanceField field(
+      *toyWorld({".......", ".#####.", ".#####.", ".#####.", "......."}, 1.0));
+  EXPECT_EQ(field.at(Cell{1, 2}), 0.0);
+  EXPECT_EQ(field.at(Cell{3, 3}), 0.0);
+  EXPECT_EQ(field.at(Cell{3, 2}), 1.0);
+  EXPECT_EQ(field.at(Cell{0, 2}), 1.0);
 }
 
 TEST(DistanceField, IsSaturatedWithoutObstaclesAndOutside) {

@@ -56,6 +56,26 @@ TEST(LikelihoodField, IsFiniteWithoutRandomReadings) {
   EXPECT_LT(score, scoreAt(options, wall(), hitBeforeWall(0), kInLane));
 }
 
+TEST(LikelihoodField, IsBlunterWhereParticlesAreSparse) {
+  ObservationOptions options = modelOptions("likelihood_field_prob");
+  options.laser_sigma_sparse = 0.3;
+  const auto likelihoodOf = [&](double distance, double sigma) {
+    return std::log(0.9 * std::exp(-0.5 * distance * distance / (sigma * sigma)) + 0.01);
+  };
+  const Observations seen = hitBeforeWall(3);  // 0.15 m
+  Particles dense(40);
+  for (Eigen::Index i = 0; i < dense.size(); ++i) dense.setPose(i, kInLane);
+  EXPECT_NEAR(scoresOf(options, wall(), seen, dense).log_likelihood[0], likelihoodOf(0.15, 0.1),
+              1e-3);
+  Particles sparse = dense;
+  sparse.setPose(1, kInLane * Pose2{5.0, 0.0, 0.0});
+  EXPECT_NEAR(scoresOf(options, wall(), seen, sparse).log_likelihood[0], likelihoodOf(0.15, 0.3),
+              1e-3);
+  options.laser_sigma_sparse = 0.0;
+  EXPECT_NEAR(scoresOf(options, wall(), seen, sparse).log_likelihood[0], likelihoodOf(0.15, 0.1),
+              1e-3);
+}
+
 /// Skipping of the beams that few particles explain: ten hits on the wall, `odd` ones `cells` away.
 double skippingScore(ObservationOptions options, int odd, int cells) {
   options.do_beamskip = true;

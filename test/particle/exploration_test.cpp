@@ -10,6 +10,8 @@ namespace {
 
 ExplorationOptions rates(double slow, double fast) {
   ExplorationOptions options;
+  options.recovery_reference = "mean";
+  options.recovery_margin = 1.0;
   options.recovery_alpha_slow = slow;
   options.recovery_alpha_fast = fast;
   return options;
@@ -47,6 +49,30 @@ TEST(Exploration, StartsAnewAfterItLookedElsewhere) {
   EXPECT_EQ(exploration->share(), 0.0);
   exploration->observe(0.1);
   EXPECT_EQ(exploration->share(), 0.0);
+}
+
+TEST(Exploration, RemembersTheBestAndGoesOnLooking) {
+  ExplorationOptions options = rates(0.001, 0.5);
+  options.recovery_reference = "best";
+  const auto exploration = augmentedExploration(options);
+  exploration->observe(0.01);  // the robot may be anywhere yet
+  for (int i = 0; i < 20; ++i) exploration->observe(0.8);
+  EXPECT_EQ(exploration->share(), 0.0);
+  for (int i = 0; i < 10; ++i) exploration->observe(0.1);
+  EXPECT_NEAR(exploration->share(), 1.0 - 0.1 / 0.8, 0.02);
+  exploration->explored();
+  EXPECT_GT(exploration->share(), 0.8);
+}
+
+TEST(Exploration, ToleratesWhatTheMarginAllows) {
+  ExplorationOptions options = rates(0.001, 1.0);
+  options.recovery_margin = 3.0;
+  const auto exploration = augmentedExploration(options);
+  exploration->observe(0.9);
+  exploration->observe(0.31);
+  EXPECT_EQ(exploration->share(), 0.0);
+  exploration->observe(0.1);
+  EXPECT_NEAR(exploration->share(), 1.0 - 3.0 * 0.1 / 0.9, 0.01);
 }
 
 TEST(Exploration, IsOffAtRateZero) {

@@ -96,6 +96,27 @@ TEST(SystematicIndices, TakeEdgeCases) {
   }
 }
 
+TEST(TemperingExponent, IsOneWhereTheLikelihoodIsBlunt) {
+  const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(100);
+  const Eigen::ArrayXd gentle = Eigen::ArrayXd::LinSpaced(100, 0.0, 1.0);
+  EXPECT_EQ(temperingExponent(flat, gentle, 0.1), 1.0);
+  EXPECT_EQ(temperingExponent(flat, 1000.0 * gentle, 0.0), 1.0);
+}
+
+TEST(TemperingExponent, KeepsTheShareOfEffectiveParticles) {
+  const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(1000);
+  const Eigen::ArrayXd sharp = Eigen::ArrayXd::LinSpaced(1000, 0.0, 5000.0);
+  const double exponent = temperingExponent(flat, sharp, 0.1);
+  EXPECT_LT(exponent, 0.01);
+  EXPECT_NEAR(effectiveSize(normalisedWeights(exponent * sharp)), 100.0, 25.0);
+}
+
+TEST(TemperingExponent, CountsWhatWasEffectiveBefore) {
+  Eigen::ArrayXd log_weight = Eigen::ArrayXd::Constant(100, -50.0);
+  log_weight[3] = 0.0;  // one particle is left: none can be lost
+  EXPECT_EQ(temperingExponent(log_weight, Eigen::ArrayXd::LinSpaced(100, 0.0, 10.0), 0.5), 1.0);
+}
+
 TEST(Select, CopiesPosesAndMakesWeightsEqual) {
   Particles particles(3);
   for (Eigen::Index i = 0; i < 3; ++i) particles.setPose(i, {1.0 * double(i), 2.0, 3.0});

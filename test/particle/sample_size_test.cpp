@@ -34,8 +34,27 @@ Particles cloud(Eigen::Index count, double side, std::uint64_t seed = 1) {
   return particles;
 }
 
-Eigen::ArrayXd uniform(const Particles& particles) {
-  return Eigen::ArrayXd::Constant(particles.size(), 1.0 / static_cast<double>(particles.size()));
+/// Draws poses one bin apart, each in a bin of its own.
+class Staircase : public PoseSampler {
+ public:
+  Pose2 draw(Rng&) const override { return {1000.0 + ++drawn_, 0.0, 0.0}; }
+
+ private:
+  mutable double drawn_{0.0};
+};
+
+/// A cloud of equal weights, and with some probability a pose elsewhere.
+struct Believer {
+  const Particles& particles;
+  Eigen::ArrayXd weights;
+  Staircase sampler;
+  double elsewhere;
+  operator Belief() const { return {particles, weights, sampler, elsewhere}; }
+};
+
+Believer believe(const Particles& particles, double elsewhere = 0.0) {
+  const auto count = static_cast<double>(particles.size());
+  return {particles, Eigen::ArrayXd::Constant(particles.size(), 1.0 / count), {}, elsewhere};
 }
 
 TEST(KldSampleSize, HasTheValuesOfFoxsFormula) {
@@ -60,18 +79,18 @@ TEST(FixedSampleSize, IsAlwaysTheSame) {
   const auto size = fixedSampleSize(sizes());
   const Particles particles = cloud(50, 5.0);
   EXPECT_EQ(size->initial(), 5000);
-  EXPECT_EQ(size->next(particles, uniform(particles), rng), 5000);
+  EXPECT_EQ(size->next(believe(particles), rng), 5000);
 }
 
 TEST(KldDrawn, AsksForFewWhereTheBeliefIsNarrowAndManyWhereItIsWide) {
   Rng rng(1);
   const auto size = kldSampleSize(sizes());
   const Particles narrow = cloud(3000, 0.01), medium = cloud(3000, 0.6), wide = cloud(3000, 20.0);
-  const Eigen::Index few = size->next(narrow, uniform(narrow), rng);
-  const Eigen::Index some = size->next(medium, uniform(medium), rng);
+  const Eigen::Index few = size->next(believe(narrow), rng);
+  const Eigen::Index some = size->next(believe(medium), rng);
   EXPECT_LT(few, 500);  // 8 bins meet at zero
   EXPECT_GT(some, few);
-  EXPECT_EQ(size->next(wide, uniform(wide), rng), 5000);
+  EXPECT_EQ(size->next(believe(wide), rng), 5000);
 }
 
 TEST(KldDrawn, AsksForTheNumberThatItsBinsDemand) {
@@ -80,7 +99,7 @@ TEST(KldDrawn, AsksForTheNumberThatItsBinsDemand) {
   for (Eigen::Index i = 0; i < 310; ++i) {
     particles.setPose(i, {0.25 + double(i % 31), 0.25, 0.01});
   }
-  EXPECT_EQ(kldSampleSize(sizes())->next(particles, uniform(particles), rng), 1274);
+  EXPECT_EQ(kldSampleSize(sizes())->next(believe(particles), rng), 1274);
 }
 
 TEST(KldDrawn, DoesNotCountParticlesWithoutWeight) {
@@ -88,7 +107,7 @@ TEST(KldDrawn, DoesNotCountParticlesWithoutWeight) {
   const Particles particles = cloud(1000, 20.0);
   Eigen::ArrayXd weights = Eigen::ArrayXd::Zero(1000);
   weights[500] = 1.0;
-  EXPECT_EQ(kldSampleSize(sizes())->next(particles, weights, rng), 100);
+  EXPECT_EQ(kldSampleSize(sizes())->next({particles, weights, Staircase(), 0.0}, rng), 100);
 }
 
 TEST(KldDrawn, StaysInsideItsLimits) {
@@ -97,7 +116,7 @@ TEST(KldDrawn, StaysInsideItsLimits) {
   Rng rng(4);
   for (const double side : {0.01, 1.0, 30.0}) {
     const Particles particles = cloud(200, side);
-    EXPECT_EQ(kldSampleSize(options)->next(particles, uniform(particles), rng), 321);
+    EXPECT_EQ(kldSampleSize(options)->next(believe(particles), rng), 321);
   }
 }
 
@@ -110,7 +129,7 @@ TEST(KldResampled, SizesTheNextSetByTheLast) {
   for (Eigen::Index i = 0; i < 31; ++i) particles.setPose(i, {0.25 + double(i), 0.25, 0.01});
   EXPECT_EQ(size->initial(), 5000);
   size->observe(particles);
-  EXPECT_EQ(size->next(particles, uniform(particles), rng), 1274);
+  EXPECT_EQ(size->next(believe(particles), rng), 1274);
 }
 
 TEST(KldSampleSizeOptions, RefuseAMinimumAboveTheMaximum) {
@@ -124,6 +143,15 @@ TEST(KldSampleSizeOptions, RefuseAMinimumAboveTheMaximum) {
                 testing::AllOf(testing::HasSubstr("min_particles"), testing::HasSubstr("6000"),
                                testing::HasSubstr("5000")));
   }
+}
+
+TEST(KldSampleSize, CountsTheBinsOfPosesElsewhere) {
+  Rng rng(6);
+  const Particles narrow = cloud(1000, 0.01);
+  const auto size = kldSampleSize(sizes());
+  const Eigen::Index here = size->next(believe(narrow), rng);
+  EXPECT_GT(size->next(believe(narrow, 0.1), rng), 2 * here);
+  EXPECT_EQ(size->next(believe(narrow, 1.0), rng), 5000);
 }
 
 }  // namespace

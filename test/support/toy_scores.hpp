@@ -18,6 +18,7 @@ inline ObservationOptions modelOptions(const std::string& type) {
   options.laser_z_hit = 0.9;
   options.laser_z_rand = 0.1;
   options.laser_sigma_hit = 0.1;
+  options.laser_sigma_sparse = 0.0;
   options.laser_likelihood_max_dist = 2.0;
   options.effective_beams = 12.0;
   return options;

@@ -22,6 +22,9 @@ class ScoreField;
 ///     likelihood_field_cubed   log(1 + sum_i p_i^3)                             (amcl's ad hoc
 ///     form)
 ///
+/// Where the particles are fewer than 30 per bin of half a metre and 10 degrees, none may be within
+/// sigma_hit of the truth; sigma_hit is then at least laser_sigma_sparse.
+///
 /// One table look-up per particle and hit. The beam model knows in addition that a wall hides what
 /// is behind it, at a hundred times the price.
 class LikelihoodField : public ObservationModel {
@@ -33,16 +36,23 @@ class LikelihoodField : public ObservationModel {
                Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override;
 
  private:
-  double likelihood(double distance, double max_range) const;
-  const ScoreField& fieldFor(double max_range) const;
+  /// The table of one kind of scan. Only one is kept for each max_range.
+  struct Table {
+    double sigma;
+    std::unique_ptr<ScoreField> field;
+  };
+
+  double likelihood(double distance, double max_range, double sigma) const;
+  double sigmaFor(const Particles& particles) const;
+  const ScoreField& fieldFor(double max_range, double sigma) const;
 
   /// The scan without the beams that few particles explain, if there are few of those.
   Scan skipBeams(const Scan& scan, const Particles& particles) const;
 
   ObservationOptions options_;
   std::shared_ptr<const DistanceField> field_;
-  std::unique_ptr<ScoreField> nearness_;  // minus the distance; where beams may be skipped
-  mutable std::map<double, std::unique_ptr<ScoreField>> fields_;  // by the laser's max_range
+  std::unique_ptr<ScoreField> nearness_;    // minus the distance; where beams may be skipped
+  mutable std::map<double, Table> tables_;  // by the laser's max_range
 };
 
 }  // namespace adaptive_localization

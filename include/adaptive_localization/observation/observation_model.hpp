@@ -20,6 +20,7 @@ struct ObservationOptions {
   double laser_z_max{0.05};
   double laser_z_rand{0.2};
   double laser_sigma_hit{0.04};
+  double laser_sigma_sparse{0.2};
   double laser_lambda_short{0.1};
   double laser_likelihood_max_dist{2.0};
   double effective_beams{15.0};
@@ -41,6 +42,9 @@ struct ObservationOptions {
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
     option("laser_sigma_hit", laser_sigma_hit, Range{1e-3, 10}, "m",
            "Standard deviation of a hit, of sensor and map together.");
+    option("laser_sigma_sparse", laser_sigma_sparse, kNotNegative, "m",
+           "The same, at least, while particles are so few for the region they cover that none may "
+           "be near the truth (likelihood fields).");
     option("laser_lambda_short", laser_lambda_short, kPositive, "1/m",
            "Decay of the share of short readings (beam).");
     option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",

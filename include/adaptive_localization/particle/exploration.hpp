@@ -10,6 +10,8 @@ namespace adaptive_localization {
 struct ExplorationOptions {
   double recovery_alpha_slow{0.001};
   double recovery_alpha_fast{0.1};
+  double recovery_margin{4.0};
+  std::string recovery_reference{"best"};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -17,6 +19,11 @@ struct ExplorationOptions {
            "Decay rate of the long-term mean likelihood; 0: no recovery (amcl core).");
     option("recovery_alpha_fast", recovery_alpha_fast, kProbability, "",
            "Decay rate of the short-term mean likelihood; 0: no recovery (amcl core).");
+    option("recovery_margin", recovery_margin, Range{1, 1000}, "",
+           "How many times better the long-term mean must be for poses elsewhere to be drawn.");
+    option("recovery_reference", recovery_reference, Choices{"best", "mean"},
+           "The long-term mean follows the short-term one at once when that is better, and goes on "
+           "after poses elsewhere were drawn (best), or is a plain mean that starts anew (mean).");
   }
 };
 
@@ -42,10 +49,13 @@ std::unique_ptr<Exploration> noExploration();
 /// Augmented MCL (Probabilistic Robotics, table 8.3): with w the mean likelihood,
 ///
 ///     w_slow += alpha_slow (w - w_slow),  w_fast += alpha_fast (w - w_fast)
-///     share = max(0, 1 - w_fast / w_slow)
+///     share = max(0, 1 - margin w_fast / w_slow)
 ///
-/// both averages starting at the first w and starting anew after poses were drawn elsewhere. The
-/// likelihood is one per beam, so that it depends neither on the number of particles nor of beams.
+/// both averages starting at the first w; the margin is Gutmann and Fox's (2002). As `mean` the
+/// averages start anew after poses were drawn elsewhere, as in amcl. As `best` they go on, and
+/// w_slow is at least w_fast: what a localized robot sees, though the run began with the robot
+/// anywhere. The likelihood is one per beam, so that it depends neither on the number of particles
+/// nor of beams.
 std::unique_ptr<Exploration> augmentedExploration(const ExplorationOptions& options);
 
 }  // namespace adaptive_localization

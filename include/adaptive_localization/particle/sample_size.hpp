@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "adaptive_localization/options.hpp"
+#include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/particles.hpp"
 #include "adaptive_localization/rng.hpp"
 
@@ -47,6 +48,15 @@ struct SampleSizeOptions {
 /// z is the upper 1 - delta quantile of the standard normal. Rounded up; 1 for k <= 1.
 Eigen::Index kldSampleSize(int bins, double err, double z);
 
+/// What the next set is drawn from: particles with normalised weights, and with the probability
+/// `elsewhere` a pose of the sampler.
+struct Belief {
+  const Particles& particles;
+  const Eigen::ArrayXd& weights;
+  const PoseSampler& sampler;
+  double elsewhere;
+};
+
 /// How many particles the next set shall have.
 class SampleSize {
  public:
@@ -55,9 +65,8 @@ class SampleSize {
   /// For a set that starts anew.
   virtual Eigen::Index initial() const = 0;
 
-  /// For a set resampled from particles with these normalised weights.
-  virtual Eigen::Index next(const Particles& particles, const Eigen::ArrayXd& weights,
-                            Rng& rng) = 0;
+  /// For a set drawn from a belief.
+  virtual Eigen::Index next(const Belief& belief, Rng& rng) = 0;
 
   /// Told of each new set: one that starts anew, or one just resampled.
   virtual void observe(const Particles&) {}
