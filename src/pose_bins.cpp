@@ -9,7 +9,9 @@ namespace {
 
 /// A pose that is far off every map, or none at all, still has a bin with neighbours.
 std::int32_t indexOf(double coordinate) {
-  return static_cast<std::int32_t>(std::floor(std::fmin(std::fmax(coordinate, -1e9), 1e9)));
+  const double clamped = coordinate > -1e9 ? (coordinate < 1e9 ? coordinate : 1e9) : -1e9;
+  const auto truncated = static_cast<std::int32_t>(clamped);
+  return truncated - (clamped < truncated ? 1 : 0);
 }
 
 }  // namespace
@@ -21,7 +23,7 @@ PoseBins::PoseBins(double side, double angle)
 
 PoseBin PoseBins::binOf(const Pose2& pose) const {
   const double turn = pose.theta / (2.0 * kPi);
-  const std::int32_t heading = indexOf((turn - std::floor(turn)) * headings_);
+  const std::int32_t heading = indexOf((turn - indexOf(turn)) * headings_);
   return {indexOf(pose.x / side_), indexOf(pose.y / side_), std::clamp(heading, 0, headings_ - 1)};
 }
 

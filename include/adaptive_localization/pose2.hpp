@@ -10,6 +10,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 /// The representative of an angle in (-pi, pi]. Every difference of headings goes through it.
 inline double wrapAngle(double angle) {
+  if (angle > -kPi && angle <= kPi) return angle;  // nearly always, and much faster
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;
 }

@@ -40,8 +40,7 @@ void ParticleFilter::reset(const Prior& prior) {
 
 Estimate ParticleFilter::update(const Pose2& motion, const Observations& observations) {
   if (isPlausible(motion)) parts_.motion->propagate(motion, particles_, rng_);
-  weigh(observations);
-  const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
+  const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = weights.log();
   const Estimate estimate = summarize(particles_, weights);
 
@@ -55,14 +54,13 @@ Estimate ParticleFilter::estimate() const {
   return summarize(particles_, normalisedWeights(particles_.log_weight));
 }
 
-void ParticleFilter::weigh(const Observations& observations) {
+Eigen::ArrayXd ParticleFilter::weigh(const Observations& observations) {
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles_.size());
-  const double beams = parts_.observation->score(observations, particles_, log_likelihood);
-  if (beams <= 0.0) return;
   const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
+  const double beams = parts_.observation->score(observations, particles_, log_likelihood);
+  if (beams <= 0.0) return weights;
   parts_.exploration->observe((weights * (log_likelihood / beams).exp()).sum());
-  particles_.log_weight += log_likelihood * temperingExponent(particles_.log_weight, log_likelihood,
-                                                              options_.min_effective_share);
+  return temperedWeights(weights, log_likelihood, options_.min_effective_share);
 }
 
 bool ParticleFilter::resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere) {

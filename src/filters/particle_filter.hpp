@@ -52,7 +52,8 @@ class ParticleFilter : public Filter {
   const Particles& hypotheses() const override { return particles_; }
 
  private:
-  void weigh(const Observations& observations);
+  /// The particles' weights after the observations, normalised.
+  Eigen::ArrayXd weigh(const Observations& observations);
   bool resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere);
   void resample(const Eigen::ArrayXd& weights, double elsewhere);
 

@@ -20,20 +20,22 @@ double effectiveSize(const Eigen::ArrayXd& weights) {
   return 1.0 / weights.square().sum();
 }
 
-double temperingExponent(const Eigen::ArrayXd& log_weight, const Eigen::ArrayXd& log_likelihood,
-                         double min_share) {
-  const auto effective = [&](double exponent) {
-    return effectiveSize(normalisedWeights(log_weight + exponent * log_likelihood));
+Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::ArrayXd& log_likelihood,
+                               double min_share) {
+  const Eigen::ArrayXd log_weight = weights.log();
+  const auto raised = [&](double exponent) {
+    return normalisedWeights(log_weight + exponent * log_likelihood);
   };
-  const double wanted = min_share * effective(0.0);
-  if (effective(1.0) >= wanted) return 1.0;
+  const double wanted = min_share * effectiveSize(weights);
+  Eigen::ArrayXd posterior = raised(1.0);
+  if (effectiveSize(posterior) >= wanted) return posterior;
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < 10; ++i) {
     const double middle = 0.5 * (low + high);
-    (effective(middle) >= wanted ? low : high) = middle;
+    (effectiveSize(raised(middle)) >= wanted ? low : high) = middle;
   }
-  return low;
+  return raised(low);
 }
 
 std::vector<Eigen::Index> systematicIndices(const Eigen::ArrayXd& weights, Eigen::Index count,

@@ -96,25 +96,29 @@ TEST(SystematicIndices, TakeEdgeCases) {
   }
 }
 
-TEST(TemperingExponent, IsOneWhereTheLikelihoodIsBlunt) {
-  const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(100);
-  const Eigen::ArrayXd gentle = Eigen::ArrayXd::LinSpaced(100, 0.0, 1.0);
-  EXPECT_EQ(temperingExponent(flat, gentle, 0.1), 1.0);
-  EXPECT_EQ(temperingExponent(flat, 1000.0 * gentle, 0.0), 1.0);
+TEST(TemperedWeights, AreBayesRuleWhereTheLikelihoodIsBlunt) {
+  const Eigen::ArrayXd weights = normalisedWeights(Eigen::ArrayXd::LinSpaced(100, 0.0, 2.0));
+  const Eigen::ArrayXd gentle = Eigen::ArrayXd::LinSpaced(100, 1.0, 0.0);
+  const Eigen::ArrayXd product = weights * gentle.exp();
+  const Eigen::ArrayXd expected = product / product.sum();
+  EXPECT_LT((temperedWeights(weights, gentle, 0.1) - expected).abs().maxCoeff(), 1e-12);
+  const Eigen::ArrayXd sharp = temperedWeights(weights, 1000.0 * gentle, 0.0);
+  EXPECT_GT(sharp[0], 0.99);  // never tempered
 }
 
-TEST(TemperingExponent, KeepsTheShareOfEffectiveParticles) {
-  const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(1000);
-  const Eigen::ArrayXd sharp = Eigen::ArrayXd::LinSpaced(1000, 0.0, 5000.0);
-  const double exponent = temperingExponent(flat, sharp, 0.1);
-  EXPECT_LT(exponent, 0.01);
-  EXPECT_NEAR(effectiveSize(normalisedWeights(exponent * sharp)), 100.0, 25.0);
+TEST(TemperedWeights, KeepTheShareOfEffectiveParticles) {
+  const Eigen::ArrayXd flat = Eigen::ArrayXd::Constant(1000, 1e-3);
+  const Eigen::ArrayXd weights =
+      temperedWeights(flat, Eigen::ArrayXd::LinSpaced(1000, 0.0, 5000.0), 0.1);
+  EXPECT_NEAR(effectiveSize(weights), 100.0, 25.0);
+  EXPECT_NEAR(weights.sum(), 1.0, 1e-12);
 }
 
-TEST(TemperingExponent, CountsWhatWasEffectiveBefore) {
-  Eigen::ArrayXd log_weight = Eigen::ArrayXd::Constant(100, -50.0);
-  log_weight[3] = 0.0;  // one particle is left: none can be lost
-  EXPECT_EQ(temperingExponent(log_weight, Eigen::ArrayXd::LinSpaced(100, 0.0, 10.0), 0.5), 1.0);
+TEST(TemperedWeights, CountWhatWasEffectiveBefore) {
+  Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(100, 1e-12);
+  weights[3] = 1.0 - 99e-12;  // one particle is left: none can be lost
+  const Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::LinSpaced(100, 0.0, 10.0);
+  EXPECT_GT(temperedWeights(weights, log_likelihood, 0.5)[3], 0.99);
 }
 
 TEST(Select, CopiesPosesAndMakesWeightsEqual) {

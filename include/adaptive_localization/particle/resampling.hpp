@@ -16,12 +16,13 @@ Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight);
 /// Effective number of particles, 1 / sum w^2, of normalised weights (Kong, Liu, Wong 1994).
 double effectiveSize(const Eigen::ArrayXd& weights);
 
-/// The largest exponent in (0, 1] to which a likelihood can be raised so that weighing keeps at
-/// least this share of the effective particles (adaptive tempering, Jasra, Stephens, Doucet,
-/// Tsagaris 2011). 1 where the likelihood is no sharper than that, as in tracking; less for a sharp
-/// likelihood and a wide cloud, whose best particles would else be taken for the only ones.
-double temperingExponent(const Eigen::ArrayXd& log_weight, const Eigen::ArrayXd& log_likelihood,
-                         double min_share);
+/// Normalised weights times the likelihood raised to the largest exponent in (0, 1] with which at
+/// least this share of the effective particles is kept (adaptive tempering, Jasra, Stephens,
+/// Doucet, Tsagaris 2011), and normalised. The exponent is 1 where the likelihood is no sharper
+/// than that, as in tracking; less for a sharp likelihood and a wide cloud, whose best particles
+/// would else be taken for the only ones.
+Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::ArrayXd& log_likelihood,
+                               double min_share);
 
 /// Systematic resampling (Kitagawa 1996; Probabilistic Robotics, table 4.4): `count` indices, with
 /// each particle i drawn floor or ceil of count w_i times. O(particles + count).
