@@ -23,6 +23,13 @@ void Confidence::reset() {
   compact_ = ambiguous_ = false;
 }
 
+void Confidence::goOnFrom(const Confidence& other) {
+  fit_ = other.fit_;
+  value_ = other.value_;
+  compact_ = other.compact_;
+  ambiguous_ = other.ambiguous_;
+}
+
 double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
   int inliers = 0;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {

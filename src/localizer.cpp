@@ -2,10 +2,10 @@
 #include "adaptive_localization/localizer.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/particle/resampling.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -13,12 +13,9 @@ namespace {
 constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 
-std::vector<OptionDescription> localizerOptions() {
-  std::vector<OptionDescription> all = describe(LocalizerOptions{});
-  for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{})}) {
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
-  return all;
+bool isUsable(const Particles& particles) {
+  return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
+         particles.theta.allFinite();
 }
 
 }  // namespace
@@ -38,41 +35,51 @@ std::string toText(Status status) {
   }
 }
 
-Localizer::Localizer(Parameters parameters, std::shared_ptr<const OccupancyGrid> map) {
-  options_ = parameters.read<LocalizerOptions>();
-  std::istringstream plugins(options_.plugins);
-  for (std::string path; std::getline(plugins, path, ':');) registry_.loadLibrary(path);
-
-  const FilterDescription& filter = registry_.find(options_.filter);
-  Parameters preset;
-  const auto& values = options_.preset == "seed" ? filter.seed : filter.recommended;
-  for (const auto& entry : values) preset.set(entry.first, entry.second);
-  parameters.fill(preset);
-  options_ = parameters.read<LocalizerOptions>();
-  scan_options_ = parameters.read<ScanOptions>();
-  confidence_options_ = parameters.read<ConfidenceOptions>();
-  for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
-    for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
-  }
-  setThreads(options_.threads);
-  context_.parameters = std::move(parameters);
-  context_.seed = static_cast<std::uint64_t>(options_.seed);
-  makeFilter(std::move(map));
+Localizer::Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
+                     std::shared_ptr<const DistanceField> distance_field) {
+  build(read(parameters), std::move(map), std::move(distance_field), std::nullopt);
 }
 
-void Localizer::makeFilter(std::shared_ptr<const OccupancyGrid> map) {
-  FilterContext context = context_;
-  context.map = std::move(map);
-  context.distance_field = std::make_shared<const DistanceField>(*context.map);
-  filter_ = registry_.find(options_.filter).make(context);
-  confidence_.emplace(confidence_options_, context.distance_field);
-  context_ = std::move(context);
+/// Makes all that can fail before anything is replaced.
+void Localizer::build(Setup setup, std::shared_ptr<const OccupancyGrid> map,
+                      std::shared_ptr<const DistanceField> distance_field,
+                      const std::optional<Prior>& belief) {
+  if (!distance_field) distance_field = std::make_shared<const DistanceField>(*map);
+  const FilterContext context{map, distance_field, setup.parameters,
+                              static_cast<std::uint64_t>(setup.options.seed)};
+  auto filter = registry_.find(setup.options.filter).make(context);
+  if (belief) filter->reset(*belief);
+  Confidence confidence(setup.confidence, distance_field);
+  if (confidence_) confidence.goOnFrom(*confidence_);
+
+  setThreads(setup.options.threads);
+  setup_ = std::move(setup);
+  setup_.parameters = context.parameters;  // knows what the filter has read
+  map_ = std::move(map);
+  distance_field_ = std::move(distance_field);
+  filter_ = std::move(filter);
+  confidence_.emplace(confidence);
+}
+
+void Localizer::configure(const Parameters& parameters) {
+  Setup setup = read(parameters);
+  if (!hasSameFilter(setup)) return build(std::move(setup), map_, distance_field_, belief());
+  Confidence confidence(setup.confidence, distance_field_);
+  confidence.goOnFrom(*confidence_);
+  confidence_.emplace(confidence);
+  setThreads(setup.options.threads);
+  setup_ = std::move(setup);
 }
 
 void Localizer::reset(const Prior& prior) {
   const auto* gaussian = std::get_if<Gaussian2>(&prior);
   if (gaussian && !(isFinite(gaussian->mean) && gaussian->covariance.allFinite())) {
     throw std::invalid_argument("initial pose: got a number that is not finite");
+  }
+  const auto* cloud = std::get_if<Particles>(&prior);
+  if (cloud && !isUsable(*cloud)) {
+    throw std::invalid_argument("initial particles: got " + std::to_string(cloud->size()) +
+                                ", expected at least one, and finite numbers");
   }
   filter_->reset(prior);
   confidence_->reset();
@@ -85,20 +92,41 @@ void Localizer::reset(const Prior& prior) {
   last_.T_map_base = last_.estimate.T_map_base;
 }
 
-void Localizer::setMap(std::shared_ptr<const OccupancyGrid> map) {
-  makeFilter(std::move(map));
-  if (last_.status == Status::kUninitialised) return;
-  const Gaussian2 belief{last_.T_map_base, last_.estimate.covariance};
-  if (from_anywhere_ && !converged_) {
-    reset(Anywhere{});
-  } else {
-    reset(belief);
+void Localizer::setMap(std::shared_ptr<const OccupancyGrid> map,
+                       std::shared_ptr<const DistanceField> distance_field) {
+  const auto belief = beliefOn(*map);
+  build(setup_, std::move(map), std::move(distance_field), belief);
+  requestUpdate();
+}
+
+/// As of the last update: odometry since then is applied by the next one. None before reset().
+std::optional<Prior> Localizer::belief() const {
+  if (last_.status == Status::kUninitialised) return std::nullopt;
+  const Particles& particles = filter_->hypotheses();
+  if (isUsable(particles)) return particles;
+  return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
+}
+
+std::optional<Prior> Localizer::beliefOn(const OccupancyGrid& map) const {
+  const std::optional<Prior> all = belief();
+  const auto* particles = all ? std::get_if<Particles>(&*all) : nullptr;
+  if (!particles) return all;
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < particles->size(); ++i) {
+    if (map.isFree(map.lattice().cellAt({particles->x[i], particles->y[i]}))) free.push_back(i);
   }
+  if (free.empty() && from_anywhere_ && !converged_) return Anywhere{};
+  if (free.empty()) return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
+  Particles kept = select(*particles, free);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    kept.log_weight[static_cast<Eigen::Index>(i)] = particles->log_weight[free[i]];
+  }
+  return kept;
 }
 
 bool Localizer::gateOpens(const Pose2& motion) const {
-  return std::hypot(motion.x, motion.y) >= options_.update_min_d ||
-         std::abs(motion.theta) >= options_.update_min_a;
+  return std::hypot(motion.x, motion.y) >= setup_.options.update_min_d ||
+         std::abs(motion.theta) >= setup_.options.update_min_a;
 }
 
 Localization Localizer::update(const Pose2& T_odom_base, const Observations& observations) {
@@ -131,21 +159,6 @@ Status Localizer::judge() const {
   if (confidence_->isCompact() && confidence_->isAmbiguous()) return Status::kAmbiguous;
   if (confidence_->isCompact() && fits) return Status::kTracking;
   return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;
-}
-
-std::vector<std::string> Localizer::unknownKeys() const {
-  return context_.parameters.unknownKeys();
-}
-
-std::vector<OptionDescription> Localizer::effectiveOptions() const {
-  std::vector<OptionDescription> rows = localizerOptions();
-  const auto& filter = registry_.find(options_.filter).options;
-  rows.insert(rows.end(), filter.begin(), filter.end());
-  for (auto& row : rows) {
-    const auto given = context_.parameters.values().find(row.key);
-    if (given != context_.parameters.values().end()) row.value = given->second;
-  }
-  return rows;
 }
 
 }  // namespace adaptive_localization

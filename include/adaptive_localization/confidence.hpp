@@ -48,6 +48,9 @@ class Confidence {
   /// Forgets all scans.
   void reset();
 
+  /// Goes on from what another one has seen.
+  void goOnFrom(const Confidence& other);
+
   /// Takes note of a scan and the estimate made from it.
   void observe(const Estimate& estimate, const Observations& observations);
 

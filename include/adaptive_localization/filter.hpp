@@ -25,8 +25,9 @@ struct Gaussian2 {
 /// Uniform over the map's free cells and all headings.
 struct Anywhere {};
 
-/// What is believed before the first observation.
-using Prior = std::variant<Gaussian2, Anywhere>;
+/// What is believed before the first observation. Particles are a belief taken over from another
+/// filter: those that know no particles of their own can start from summarize()'s heaviest mode.
+using Prior = std::variant<Gaussian2, Anywhere, Particles>;
 
 /// One place where the robot may be.
 struct Mode {
@@ -58,7 +59,8 @@ class Filter {
  public:
   virtual ~Filter() = default;
 
-  /// Starts anew from a prior: an initial pose or a request for global localization.
+  /// Starts anew from a prior: an initial pose, a request for global localization, or what another
+  /// filter believed.
   virtual void reset(const Prior& prior) = 0;
 
   /// Moves the belief by the odometry since the last update, motion = T_previous_current, and

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,19 +57,29 @@ struct Localization {
 class Localizer {
  public:
   /// Throws std::invalid_argument naming key, value and range when a parameter is wrong or when the
-  /// map has no free cell. The belief is empty until reset().
-  Localizer(Parameters parameters, std::shared_ptr<const OccupancyGrid> map);
+  /// map has no free cell. The belief is empty until reset(). The map's distance field can be given
+  /// where it was made before, say in another thread.
+  Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
+            std::shared_ptr<const DistanceField> distance_field = nullptr);
+
+  /// Other options from now on, all of them: what is not given takes its default. The belief goes
+  /// on, whichever filter is named, and so do gate, correction, confidence and status.
+  /// Throws std::invalid_argument naming key, value and range; the options before then stay.
+  void configure(const Parameters& parameters);
 
   /// Starts anew from a prior; the next scan updates the filter whether the robot moved or not.
-  /// Throws std::invalid_argument for a Gaussian with numbers that are not finite.
+  /// Throws std::invalid_argument for numbers that are not finite and for a cloud without
+  /// particles.
   void reset(const Prior& prior);
 
   /// The next scan updates the filter whether the robot moved or not.
   void requestUpdate() { update_requested_ = true; }
 
-  /// A new map in the same frame: goes on from the heaviest mode. Throws as the constructor does,
+  /// A new map in the same frame: keeps the particles that stand on free ground of it, or where
+  /// none does the heaviest mode, and weighs them at the next scan. Throws as the constructor does,
   /// and then keeps the old map.
-  void setMap(std::shared_ptr<const OccupancyGrid> map);
+  void setMap(std::shared_ptr<const OccupancyGrid> map,
+              std::shared_ptr<const DistanceField> distance_field = nullptr);
 
   /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
@@ -79,8 +90,8 @@ class Localizer {
   /// The belief as a cloud; empty before reset().
   const Particles& hypotheses() const { return filter_->hypotheses(); }
 
-  const ScanOptions& scanOptions() const { return scan_options_; }
-  const LocalizerOptions& options() const { return options_; }
+  const ScanOptions& scanOptions() const { return setup_.scan; }
+  const LocalizerOptions& options() const { return setup_.options; }
 
   /// Keys that neither the localizer nor the filter knows.
   std::vector<std::string> unknownKeys() const;
@@ -88,17 +99,35 @@ class Localizer {
   /// All options of localizer and filter with the values in effect, given or default.
   std::vector<OptionDescription> effectiveOptions() const;
 
+  /// The same, and then those that only the other filters have.
+  std::vector<OptionDescription> allOptions() const;
+
  private:
-  void makeFilter(std::shared_ptr<const OccupancyGrid> map);
+  /// What parameters say, with the preset's values filled in.
+  struct Setup {
+    LocalizerOptions options;
+    ScanOptions scan;
+    ConfidenceOptions confidence;
+    Parameters parameters;
+  };
+
+  Setup read(Parameters parameters);
+  void loadPlugins(const std::string& paths);
+  void build(Setup setup, std::shared_ptr<const OccupancyGrid> map,
+             std::shared_ptr<const DistanceField> distance_field,
+             const std::optional<Prior>& belief);
+  bool hasSameFilter(const Setup& setup) const;
+  std::optional<Prior> belief() const;
+  std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   Status judge() const;
 
   FilterRegistry registry_;
-  LocalizerOptions options_;
-  ScanOptions scan_options_;
-  ConfidenceOptions confidence_options_;
-  FilterContext context_;
+  std::set<std::string> loaded_plugins_;
+  Setup setup_;
+  std::shared_ptr<const OccupancyGrid> map_;
+  std::shared_ptr<const DistanceField> distance_field_;
   std::unique_ptr<Filter> filter_;
   std::optional<Confidence> confidence_;
 

@@ -20,22 +20,36 @@ Eigen::Matrix3d squareRoot(const Eigen::Matrix3d& covariance) {
 }  // namespace
 
 void ParticleFilter::reset(const Prior& prior) {
-  particles_ = Particles(parts_.size->initial());
-  if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
-    const Eigen::Matrix3d root = squareRoot(gaussian->covariance);
-    for (Eigen::Index i = 0; i < particles_.size(); ++i) {
-      const Eigen::Vector3d d = root * Eigen::Vector3d(rng_.normal(), rng_.normal(), rng_.normal());
-      const Pose2& mean = gaussian->mean;
-      particles_.setPose(i, {mean.x + d.x(), mean.y + d.y(), wrapAngle(mean.theta + d.z())});
-    }
+  const auto* cloud = std::get_if<Particles>(&prior);
+  taken_over_ = cloud && cloud->size() > 0;
+  if (taken_over_) {
+    particles_ = *cloud;
+    particles_.log_weight = normalisedWeights(cloud->log_weight).log();
+  } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
+    draw(*gaussian);
   } else {
-    for (Eigen::Index i = 0; i < particles_.size(); ++i) {
-      particles_.setPose(i, parts_.elsewhere->draw(rng_));
-    }
+    draw(Anywhere{});
   }
   parts_.size->observe(particles_);  // else the size would be that of the belief before
   parts_.exploration->reset();
   updates_since_resampling_ = 0;
+}
+
+void ParticleFilter::draw(const Gaussian2& gaussian) {
+  particles_ = Particles(parts_.size->initial());
+  const Eigen::Matrix3d root = squareRoot(gaussian.covariance);
+  for (Eigen::Index i = 0; i < particles_.size(); ++i) {
+    const Eigen::Vector3d d = root * Eigen::Vector3d(rng_.normal(), rng_.normal(), rng_.normal());
+    const Pose2& mean = gaussian.mean;
+    particles_.setPose(i, {mean.x + d.x(), mean.y + d.y(), wrapAngle(mean.theta + d.z())});
+  }
+}
+
+void ParticleFilter::draw(Anywhere) {
+  particles_ = Particles(parts_.size->initial());
+  for (Eigen::Index i = 0; i < particles_.size(); ++i) {
+    particles_.setPose(i, parts_.elsewhere->draw(rng_));
+  }
 }
 
 Estimate ParticleFilter::update(const Pose2& motion, const Observations& observations) {
@@ -64,9 +78,11 @@ Eigen::ArrayXd ParticleFilter::weigh(const Observations& observations) {
 }
 
 bool ParticleFilter::resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere) {
+  if (taken_over_) return true;  // so that there are as many as this filter wants
   if (++updates_since_resampling_ < options_.resample_interval) return false;
-  if (!options_.selective_resampling || elsewhere > 0.0) return true;
-  return effectiveSize(weights) < 0.5 * static_cast<double>(weights.size());
+  const auto count = static_cast<double>(weights.size());
+  if (!options_.selective_resampling || elsewhere * count >= 1.0) return true;
+  return effectiveSize(weights) < 0.5 * count;
 }
 
 void ParticleFilter::resample(const Eigen::ArrayXd& weights, double elsewhere) {
@@ -84,6 +100,7 @@ void ParticleFilter::resample(const Eigen::ArrayXd& weights, double elsewhere) {
   parts_.size->observe(particles_);
   if (away > 0) parts_.exploration->explored();
   updates_since_resampling_ = 0;
+  taken_over_ = false;
 }
 
 }  // namespace adaptive_localization

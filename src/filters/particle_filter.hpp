@@ -52,6 +52,9 @@ class ParticleFilter : public Filter {
   const Particles& hypotheses() const override { return particles_; }
 
  private:
+  void draw(const Gaussian2& gaussian);
+  void draw(Anywhere);
+
   /// The particles' weights after the observations, normalised.
   Eigen::ArrayXd weigh(const Observations& observations);
   bool resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere);
@@ -62,6 +65,7 @@ class ParticleFilter : public Filter {
   Rng rng_;
   Particles particles_;
   int updates_since_resampling_{0};
+  bool taken_over_{false};  // from another filter, with its number of particles
 };
 
 }  // namespace adaptive_localization

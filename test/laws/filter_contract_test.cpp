@@ -97,6 +97,42 @@ TEST_P(EveryFilter, TakesEveryPrior) {
   }
 }
 
+TEST_P(EveryFilter, TakesOverABeliefFromAnother) {
+  const auto drive = toyDrive(asymmetricWorld(), 2);
+  for (const auto& other : allFilters()) {
+    const auto first = makeFilter({other, "recommended"}, 1000);
+    first->reset(roughly(drive.front().T_map_base));
+    for (std::size_t i = 0; i < 15; ++i) first->update(drive[i].motion, drive[i].observations);
+    const auto second = makeFilter(GetParam(), 1000, 2);
+    second->reset(first->hypotheses());
+    EXPECT_THAT(second->estimate().T_map_base, PoseNear(drive[14].T_map_base, 0.15, 0.087));
+    for (std::size_t i = 15; i < 30; ++i) {
+      const Estimate estimate = second->update(drive[i].motion, drive[i].observations);
+      ASSERT_THAT(estimate.T_map_base, PoseNear(drive[i].T_map_base, 0.15, 0.087))
+          << "after " << other << ", step " << i;
+    }
+  }
+}
+
+TEST_P(EveryFilter, TakesOverOddClouds) {
+  const Observations seen = ToyLaser{31}.observe(asymmetricWorld(), {1.0, 1.0, 0.0});
+  Particles one(1), worthless(50), weighed(2);
+  one.setPose(0, {1.0, 1.0, 0.0});
+  worthless.log_weight.setConstant(-std::numeric_limits<double>::infinity());
+  weighed.setPose(0, {3.0, 1.0, 0.5});
+  weighed.setPose(1, {7.0, 1.0, 0.5});
+  weighed.log_weight << 5.0, -700.0;
+  const auto filter = makeFilter(GetParam(), 300);
+  for (const Particles& cloud : {one, worthless, Particles{}, weighed}) {
+    filter->reset(cloud);
+    ASSERT_THAT(filter->estimate(), IsSaneEstimate());
+    ASSERT_THAT(filter->update({}, seen), IsSaneEstimate());
+    ASSERT_GE(filter->hypotheses().size(), 100);  // as many as it wants
+  }
+  filter->reset(weighed);
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(weighed.pose(0), 1e-6, 1e-6));
+}
+
 TEST_P(EveryFilter, StartsAnywhereInFreeSpace) {
   const auto map = asymmetricWorld();
   const auto filter = makeFilter(GetParam(), 1000);

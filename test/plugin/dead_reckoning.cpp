@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A filter core that lives in a library of its own: it believes its odometry and nothing else.
 #include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/particle/resampling.hpp"
+#include "adaptive_localization/particle/summary.hpp"
 
 namespace {
 
@@ -22,8 +24,12 @@ class DeadReckoning : public Filter {
       : scale_(context.parameters.read<DeadReckoningOptions>().scale), particles_(1) {}
 
   void reset(const Prior& prior) override {
-    const auto* gaussian = std::get_if<Gaussian2>(&prior);
-    particles_.setPose(0, gaussian ? gaussian->mean : Pose2{});
+    Pose2 start;
+    if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) start = gaussian->mean;
+    if (const auto* cloud = std::get_if<Particles>(&prior)) {
+      start = summarize(*cloud, normalisedWeights(cloud->log_weight)).T_map_base;
+    }
+    particles_.setPose(0, start);
   }
 
   Estimate update(const Pose2& motion, const Observations&) override {
