@@ -1,12 +1,13 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs a build into a folder of its own, runs what is installed and builds a foreign filter
-# against it: install_and_use.sh CMAKE BUILD_FOLDER WORK_FOLDER
+# against it: install_and_use.sh CMAKE BUILD_FOLDER
 source "$(dirname "$0")/../../scripts/environment.sh"
-cmake=$1 build=$2 work=$3
-rm -rf "$work"
+cmake=$1 build=$2
+work=$(mktemp -d)  # not below the sources, where roslaunch would find every launch file twice
+trap 'rm -rf "$work"' EXIT
 
-DESTDIR=$work "$cmake" --install "$build" > "$work.log"
+DESTDIR=$work "$cmake" --install "$build" > "$work/log"
 installed=$(dirname "$(find "$work" -path '*/share/adaptive_localization' -type d)")/..
 for file in share/adaptive_localization/{config/filters/kld.yaml,launch/demo.launch,maps/maze/map.pgm} \
   include/adaptive_localization/filter.hpp; do
