@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the localizer makes of parameters.
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "adaptive_localization/localizer.hpp"
@@ -13,6 +15,24 @@ std::vector<OptionDescription> localizerOptions() {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
+}
+
+/// A given value as the type that the option has: 1 may stand for 1.0 or true.
+OptionValue asTypeOf(const OptionValue& option, const OptionValue& given) {
+  if (std::holds_alternative<std::string>(option)) return toText(given);
+  const auto* whole = std::get_if<int>(&given);
+  if (whole && std::holds_alternative<double>(option)) return static_cast<double>(*whole);
+  if (whole && std::holds_alternative<bool>(option)) return *whole != 0;
+  const auto* real = std::get_if<double>(&given);
+  if (real && std::holds_alternative<int>(option) && std::abs(*real) < 1e9) {
+    return static_cast<int>(*real);
+  }
+  return given;
+}
+
+OptionValue valueOf(const OptionDescription& option, const Parameters& parameters) {
+  const auto given = parameters.values().find(option.key);
+  return given == parameters.values().end() ? option.value : asTypeOf(option.value, given->second);
 }
 
 }  // namespace
@@ -50,17 +70,10 @@ bool Localizer::hasSameFilter(const Setup& setup) const {
   if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
     return false;
   }
-  const auto& before = setup_.parameters.values();
-  const auto& now = setup.parameters.values();
-  for (const auto& option : registry_.find(setup.options.filter).options) {
-    const auto old_value = before.find(option.key);
-    const auto new_value = now.find(option.key);
-    if ((old_value == before.end() ? option.value : old_value->second) !=
-        (new_value == now.end() ? option.value : new_value->second)) {
-      return false;
-    }
-  }
-  return true;
+  const auto& options = registry_.find(setup.options.filter).options;
+  return std::all_of(options.begin(), options.end(), [&](const OptionDescription& option) {
+    return valueOf(option, setup_.parameters) == valueOf(option, setup.parameters);
+  });
 }
 
 std::vector<std::string> Localizer::unknownKeys() const {
@@ -71,10 +84,7 @@ std::vector<OptionDescription> Localizer::effectiveOptions() const {
   std::vector<OptionDescription> rows = localizerOptions();
   const auto& filter = registry_.find(setup_.options.filter).options;
   rows.insert(rows.end(), filter.begin(), filter.end());
-  for (auto& row : rows) {
-    const auto given = setup_.parameters.values().find(row.key);
-    if (given != setup_.parameters.values().end()) row.value = given->second;
-  }
+  for (auto& row : rows) row.value = valueOf(row, setup_.parameters);
   return rows;
 }
 
@@ -86,8 +96,7 @@ std::vector<OptionDescription> Localizer::allOptions() const {
     for (const auto& option : registry_.find(name).options) {
       if (!keys.insert(option.key).second) continue;
       rows.push_back(option);
-      const auto given = setup_.parameters.values().find(option.key);
-      if (given != setup_.parameters.values().end()) rows.back().value = given->second;
+      rows.back().value = valueOf(option, setup_.parameters);
     }
   }
   for (auto& row : rows) {

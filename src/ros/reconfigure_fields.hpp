@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/localizer.hpp"
+#include "node_options.hpp"
+
+namespace adaptive_localization {
+
+/// Fields of amcl that are no options of a component here.
+struct AmclFields {
+  double gui_publish_rate{-1.0};
+  bool restore_defaults{false};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("gui_publish_rate", gui_publish_rate, kAnyNumber, "Hz",
+           "Accepted, and without effect as in amcl.");
+    option("restore_defaults", restore_defaults, "Go back to the values at the start.");
+  }
+};
+
+/// Whether the node reads an option at its start alone; a change takes effect at the next one.
+inline bool isReadAtStart(const std::string& key) {
+  static const std::set<std::string> keys{"odom_frame_id", "base_frame_id", "global_frame_id",
+                                          "scan_topics",   "use_map_topic", "first_map_only",
+                                          "tf_rate",       "pose_file"};
+  return keys.count(key) > 0;
+}
+
+/// What dynamic_reconfigure's clients see of all options: not where the robot starts.
+inline std::vector<OptionDescription> fieldsOf(const std::vector<OptionDescription>& options,
+                                               const AmclFields& amcl) {
+  std::vector<OptionDescription> fields;
+  for (const auto& option : options) {
+    const bool is_start = option.key == "start" || option.key.rfind("initial_", 0) == 0;
+    if (!is_start) fields.push_back(option);
+  }
+  const auto more = describe(amcl);
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+/// The node's options with those that only its start reads as they are.
+inline NodeOptions liveOptions(Parameters parameters, const NodeOptions& now) {
+  for (const auto& option : describe(now)) {
+    if (isReadAtStart(option.key)) parameters.set(option.key, option.value);
+  }
+  return parameters.read<NodeOptions>();
+}
+
+/// All options of node, localizer and filters with the values that parameters give them.
+/// Throws std::invalid_argument naming key, value and range.
+inline std::vector<OptionDescription> allOptions(const Parameters& parameters) {
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  std::vector<OptionDescription> all = describe(parameters.read<NodeOptions>());
+  const auto others = Localizer(parameters, cell).allOptions();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+}  // namespace adaptive_localization
