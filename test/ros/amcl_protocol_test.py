@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """amcl's own test protocol on the maps of Willow Garage: a robot drives, and the transform from map
-to base_link is compared with where it really is. Where amcl's tests look once, at the end, and allow
-0.75 m, this looks once a second from --settled on and allows a third of that."""
+to base_link is compared with where it really is. amcl's tests look once, at the end, and allow
+0.75 m; this looks once a second from --settled on and allows a third of that."""
 import argparse
 import math
 import os
@@ -100,9 +100,9 @@ class AmclProtocol(unittest.TestCase):
 
     def error(self, stamp, x, y, yaw):
         """Metres and radians between tf and the truth at a stamp."""
-        transform = self.tf.lookup_transform("map", "base_link", rospy.Time.from_sec(stamp)).transform
-        return (math.hypot(transform.translation.x - x, transform.translation.y - y),
-                abs(wrap(yaw_of(transform.rotation) - yaw)))
+        found = self.tf.lookup_transform("map", "base_link", rospy.Time.from_sec(stamp)).transform
+        return (math.hypot(found.translation.x - x, found.translation.y - y),
+                abs(wrap(yaw_of(found.rotation) - yaw)))
 
     def test_transform_stays_right(self):
         drive = self.start()
