@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
-#include "adaptive_localization/particle/resampling.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -117,9 +116,11 @@ std::optional<Prior> Localizer::beliefOn(const OccupancyGrid& map) const {
   }
   if (free.empty() && from_anywhere_ && !converged_) return Anywhere{};
   if (free.empty()) return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
-  Particles kept = select(*particles, free);
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    kept.log_weight[static_cast<Eigen::Index>(i)] = particles->log_weight[free[i]];
+  Particles kept(static_cast<Eigen::Index>(free.size()));
+  for (Eigen::Index k = 0; k < kept.size(); ++k) {
+    const Eigen::Index i = free[static_cast<std::size_t>(k)];
+    kept.setPose(k, particles->pose(i));
+    kept.log_weight[k] = particles->log_weight[i];
   }
   return kept;
 }
