@@ -13,10 +13,15 @@ std::atomic<std::size_t> in_use{0};
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* memory = std::malloc(size);
+  in_use += malloc_usable_size(memory);  // 0 of a null pointer
+  return memory;
+}
+
+void* operator new(std::size_t size) {
+  void* memory = operator new(size, std::nothrow);
   if (!memory) throw std::bad_alloc();
-  in_use += malloc_usable_size(memory);
   return memory;
 }
 
