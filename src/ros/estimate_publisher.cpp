@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate_publisher.hpp"
 
-#include <diagnostic_msgs/DiagnosticStatus.h>
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <std_msgs/Float32.h>
 
-#include <cstdio>
-
 #include "conversions.hpp"
+#include "status_message.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -18,20 +16,6 @@ using diagnostic_msgs::DiagnosticStatus;
 DiagnosticStatus::_level_type levelOf(Status status) {
   if (status == Status::kTracking) return DiagnosticStatus::OK;
   return status == Status::kLost ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
-}
-
-void add(DiagnosticStatus& status, const std::string& key, const std::string& value) {
-  diagnostic_msgs::KeyValue pair;
-  pair.key = key;
-  pair.value = value;
-  status.values.push_back(pair);
-}
-
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  char text[128];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
 }
 
 constexpr std::size_t kModesShown = 5;
@@ -44,7 +28,12 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
       pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true)),
       cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
       confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
-      status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {}
+      status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {
+  if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
+  timer_ = node.createTimer(ros::Duration(1.0 / options.tf_rate), [this](const ros::TimerEvent&) {
+    if (T_map_odom_) sendTransform(*T_map_odom_, ros::Time::now());
+  });
+}
 
 void EstimatePublisher::publish(const Localization& answer, const Particles& particles,
                                 const ros::Time& stamp) {
@@ -60,14 +49,15 @@ void EstimatePublisher::publish(const Localization& answer, const Particles& par
     cloud.header.frame_id = options_.global_frame_id;
     cloud_.publish(cloud);
   }
-  if (options_.tf_broadcast) sendTransform(answer.T_map_odom, stamp);
+  T_map_odom_ = answer.T_map_odom;
+  if (options_.tf_broadcast && options_.tf_rate <= 0.0) sendTransform(answer.T_map_odom, stamp);
   std_msgs::Float32 confidence;
   confidence.data = static_cast<float>(answer.confidence);
   confidence_.publish(confidence);
 }
 
 void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& stamp) {
-  if (stamp == sent_) return;  // tf complains about a stamp given twice; two lasers may share one
+  if (stamp <= sent_) return;  // tf complains about a stamp given twice; two lasers may share one
   sent_ = stamp;
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = stamp + ros::Duration(options_.transform_tolerance);
@@ -79,11 +69,8 @@ void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& 
 
 void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index particles,
                                       double ms_per_update, const ScanSource::Counts& scans) {
-  DiagnosticStatus status;
-  status.name = ros::this_node::getName().substr(1) + ": localization";
-  status.hardware_id = "none";
-  status.level = levelOf(answer.status);
-  status.message = toText(answer.status);
+  DiagnosticStatus status =
+      makeStatus("localization", levelOf(answer.status), toText(answer.status));
   add(status, "confidence", print("%.3f", answer.confidence));
   const auto& modes = answer.estimate.modes;
   add(status, "modes", std::to_string(modes.size()));
@@ -95,9 +82,7 @@ void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index p
   }
   add(status, "particles", std::to_string(particles));
   add(status, "ms per update", print("%.3f", ms_per_update));
-  add(status, "scans received", std::to_string(scans.received));
-  add(status, "scans used", std::to_string(scans.used));
-  add(status, "scans dropped", std::to_string(scans.dropped));
+  addCounts(status, scans);
   status_.publish(status);
 }
 

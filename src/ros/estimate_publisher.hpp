@@ -4,6 +4,8 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <optional>
+
 #include "adaptive_localization/localizer.hpp"
 #include "node_options.hpp"
 #include "scan_source.hpp"
@@ -15,23 +17,29 @@ class EstimatePublisher {
  public:
   EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node, const NodeOptions& options);
 
-  /// After a scan was used. The transform goes out every time, pose and cloud only after an update.
+  /// After a scan was used. The transform goes out every time (or at its own
+  /// rate), pose and cloud only after an update.
   void publish(const Localization& answer, const Particles& particles, const ros::Time& stamp);
 
   /// The status in words with its figures. `ms_per_update` is that of the last update.
   void publishStatus(const Localization& answer, Eigen::Index particles, double ms_per_update,
                      const ScanSource::Counts& scans);
 
+  /// Time jumped back: stamps that were used may come again.
+  void forgetStamps() { sent_ = {}; }
+
  private:
   void sendTransform(const Pose2& T_map_odom, const ros::Time& stamp);
 
-  NodeOptions options_;
+  const NodeOptions& options_;  // the node's, which may change
   ros::Publisher pose_;
   ros::Publisher cloud_;
   ros::Publisher confidence_;
   ros::Publisher status_;
   tf2_ros::TransformBroadcaster broadcaster_;
+  std::optional<Pose2> T_map_odom_;
   ros::Time sent_;
+  ros::Timer timer_;  // for a transform at a fixed rate
 };
 
 }  // namespace adaptive_localization

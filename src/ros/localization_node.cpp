@@ -6,59 +6,44 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "initial_pose.hpp"
+#include "reconfigure_fields.hpp"
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
-namespace {
-
-NodeOptions readNodeOptions(const Parameters& parameters) {
-  auto options = parameters.read<NodeOptions>();
-  for (auto* frame : {&options.odom_frame_id, &options.base_frame_id, &options.global_frame_id}) {
-    *frame = withoutLeadingSlash(*frame);
-  }
-  return options;
-}
-
-std::optional<Prior> startOf(const NodeOptions& options) {
-  if (options.start == "wait") return std::nullopt;
-  if (options.start == "anywhere") return Anywhere{};
-  return options.initialPose();
-}
-
-/// Makes a localizer on a map of one cell: wrong parameters show at the start, not with the map.
-void checkAndReport(const Parameters& parameters, const NodeOptions& options) {
-  const auto cell =
-      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
-  const Localizer localizer(parameters, cell);
-  reportUnknown(localizer.unknownKeys());
-  std::string text;
-  const auto append = [&text](const std::vector<OptionDescription>& rows) {
-    for (const auto& row : rows) text += "\n  " + row.key + ": " + toText(row.value);
-  };
-  append(describe(options));
-  append(localizer.effectiveOptions());
-  ROS_INFO("Options in effect:%s", text.c_str());
-}
-
-}  // namespace
 
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
     : parameters_(readParameters(private_node)),
       options_(readNodeOptions(parameters_)),
-      prior_((checkAndReport(parameters_, options_), startOf(options_))),
+      prior_(startOf(options_)),
       tf_listener_(tf_),
       odometry_(tf_, options_.odom_frame_id, options_.base_frame_id),
       publisher_(node, private_node, options_),
       pose_keeper_(private_node, options_.save_pose_rate),
-      scans_(node, tf_, options_.odom_frame_id, options_.base_frame_id,
-             [this](const auto& scan, const auto& mount) { return onScan(scan, mount); }),
+      scans_(
+          node, tf_, options_,
+          [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
+          [this](double seconds) { onTimeJump(seconds); }),
       initial_pose_(node.subscribe("initialpose", 2, &LocalizationNode::onInitialPose, this)),
       global_localization_(node.advertiseService("global_localization",
                                                  &LocalizationNode::onGlobalLocalization, this)),
       no_motion_update_(node.advertiseService("request_nomotion_update",
                                               &LocalizationNode::onNoMotionUpdate, this)),
+      set_map_(node.advertiseService("set_map", &LocalizationNode::onSetMap, this)),
       maps_(node, options_.use_map_topic, options_.first_map_only,
-            [this](const auto& map) { return onMap(map); }) {}
+            [this](const auto& map) { return onMap(map); }),
+      diagnostics_(node, options_, [this] { return health(); }),
+      reconfigure_(private_node, parameters_, [this](const auto& all) { return configure(all); }) {}
+
+/// New options while the robot drives; throws std::invalid_argument and keeps the old ones.
+std::vector<OptionDescription> LocalizationNode::configure(const Parameters& parameters) {
+  const auto all = allOptions(parameters);
+  if (localizer_) localizer_->configure(parameters);
+  parameters_ = parameters;
+  options_ = liveOptions(parameters, options_);
+  pose_keeper_.setRate(options_.save_pose_rate);
+  return all;
+}
 
 bool LocalizationNode::onMap(const nav_msgs::OccupancyGrid& message) {
   const std::string frame = withoutLeadingSlash(message.header.frame_id);
@@ -92,6 +77,10 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
   if (!T_odom_base) throw std::invalid_argument(why);
+  if (!odometry_watch_.goesOn(stamp, *T_odom_base) && answer_) {
+    ROS_WARN("Odometry jumped: starting anew around the last pose");
+    startAround(*answer_);
+  }
   const Scan scan = toScan(toLaserScan(message), mount, localizer_->scanOptions());
   if (scan.hits() == 0 && scan.no_return_bearing.size() == 0) {
     throw std::invalid_argument("none of its " + std::to_string(message.ranges.size()) +
@@ -102,6 +91,8 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   if (answer.updated) ms_per_update_ = spent.count();
 
+  answer_ = answer;
+  requestFollowUps();
   const Particles& particles = localizer_->hypotheses();
   if (answer.status != Status::kUninitialised) {
     publisher_.publish(answer, particles, stamp);
@@ -111,31 +102,74 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   return true;
 }
 
-void LocalizationNode::onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  const std::string frame = withoutLeadingSlash(message.header.frame_id);
-  if (frame.empty()) {
-    ROS_WARN("The initial pose has no frame, taken as '%s'", options_.global_frame_id.c_str());
-  } else if (frame != options_.global_frame_id) {
-    ROS_WARN("Initial pose ignored: got frame '%s', expected '%s'", frame.c_str(),
-             options_.global_frame_id.c_str());
+/// Forward, odometry bridges the gap; back, it has started anew as well.
+void LocalizationNode::onTimeJump(double seconds) {
+  if (seconds > 0.0) {
+    ROS_WARN("No scan for %.1f s, or time jumped: going on with the odometry", seconds);
+    if (localizer_) localizer_->requestUpdate();
     return;
   }
-  Gaussian2 prior = toGaussian(message.pose);
-  if (!isFinite(prior.mean) || !prior.covariance.allFinite() ||
-      prior.covariance.diagonal().minCoeff() < 0.0) {
-    ROS_WARN("Initial pose ignored: expected finite numbers and variances that are not negative");
-    return;
+  ROS_WARN("Time jumped back by %.1f s: starting anew around the last pose", -seconds);
+  odometry_watch_.forget();
+  publisher_.forgetStamps();
+  if (answer_) startAround(*answer_);
+}
+
+/// The robot may have been moved while time or odometry jumped, but most likely it was not.
+void LocalizationNode::startAround(const Localization& known) {
+  constexpr int kTrial = 20;
+  if (known.status == Status::kUninitialised) return;
+  if (known.status == Status::kGlobalizing) return start(Anywhere{});
+  const Eigen::Matrix3d wider = known.estimate.covariance + options_.initialPose().covariance;
+  start(Gaussian2{known.T_map_base, wider});
+  updates_on_trial_ = kTrial;
+}
+
+/// Asks for updates though the robot may stand still: one more after a start, if the options say
+/// so, and after a jump until it is clear whether the robot is where it was.
+void LocalizationNode::requestFollowUps() {
+  if (answer_->updated && std::exchange(update_again_, false)) localizer_->requestUpdate();
+  if (updates_on_trial_ == 0) return;
+  if (answer_->status == Status::kTracking) {
+    updates_on_trial_ = 0;
+  } else if (--updates_on_trial_ > 0) {
+    localizer_->requestUpdate();
+  } else {
+    ROS_WARN("The robot is not where it was before the jump: localizing anywhere on the map");
+    start(Anywhere{});
   }
-  // The pose was true at its stamp; the robot may have moved since.
-  std::string why;
-  if (const auto motion = odometry_.motionSince(message.header.stamp, &why)) {
-    prior.mean = prior.mean * *motion;
-  } else if (localizer_) {
-    ROS_WARN("Initial pose taken as that of now, its stamp is not in tf: %s", why.c_str());
+}
+
+NodeHealth LocalizationNode::health() const {
+  NodeHealth health;
+  health.scans = scans_.counts();
+  const bool wants_pose =
+      localizer_ ? answer_ && answer_->status == Status::kUninitialised : !prior_.has_value();
+  for (const auto& what : {scans_.missing(), localizer_ ? "" : "a map on " + maps_.name(),
+                           std::string(wants_pose ? "an initial pose" : "")}) {
+    if (!what.empty()) health.missing += (health.missing.empty() ? "" : "; ") + what;
   }
-  start(prior);
-  ROS_INFO("Initial pose (%.3f, %.3f) m, %.1f deg", prior.mean.x, prior.mean.y,
-           prior.mean.theta * 180.0 / kPi);
+  if (answer_ && answer_->status != Status::kUninitialised) {
+    health.covariance = answer_->estimate.covariance;
+  }
+  return health;
+}
+
+void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
+  const auto pose = readInitialPose(message, options_.global_frame_id, odometry_);
+  if (!pose) return;
+  start(*pose);
+  update_again_ = options_.force_update_after_initialpose;
+}
+
+bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
+                                nav_msgs::SetMap::Response& response) {
+  response.success = onMap(request.map);
+  const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
+  response.success = response.success && pose;
+  if (pose) start(*pose);
+  update_again_ = options_.force_update_after_set_map;
+  return true;
 }
 
 bool LocalizationNode::onGlobalLocalization(Empty::Request&, Empty::Response&) {
@@ -150,6 +184,8 @@ bool LocalizationNode::onNoMotionUpdate(Empty::Request&, Empty::Response&) {
 }
 
 void LocalizationNode::start(const Prior& prior) {
+  updates_on_trial_ = 0;
+  update_again_ = false;
   if (localizer_) {
     localizer_->reset(prior);
   } else {

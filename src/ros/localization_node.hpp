@@ -2,6 +2,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <nav_msgs/SetMap.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
 #include <tf2_ros/transform_listener.h>
@@ -10,11 +11,14 @@
 #include <optional>
 
 #include "adaptive_localization/localizer.hpp"
+#include "continuity.hpp"
 #include "estimate_publisher.hpp"
 #include "map_source.hpp"
+#include "node_diagnostics.hpp"
 #include "node_options.hpp"
 #include "odometry.hpp"
 #include "pose_keeper.hpp"
+#include "reconfigure.hpp"
 #include "scan_source.hpp"
 
 namespace adaptive_localization {
@@ -30,30 +34,44 @@ class LocalizationNode {
 
  private:
   using Empty = std_srvs::Empty;
+  using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
   bool onMap(const nav_msgs::OccupancyGrid& message);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
-  void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message);
+  void onTimeJump(double seconds);
+  void onInitialPose(const PoseWithCovarianceStamped& message);
   bool onGlobalLocalization(Empty::Request& request, Empty::Response& response);
   bool onNoMotionUpdate(Empty::Request& request, Empty::Response& response);
+  bool onSetMap(nav_msgs::SetMap::Request& request, nav_msgs::SetMap::Response& response);
+  std::vector<OptionDescription> configure(const Parameters& parameters);
   void start(const Prior& prior);
+  void startAround(const Localization& known);
+  void requestFollowUps();
+  NodeHealth health() const;
 
   Parameters parameters_;
   NodeOptions options_;
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
+  std::optional<Localization> answer_;    // to the last scan
+  bool update_again_{false};              // amcl's force_update_after_*
+  int updates_on_trial_{0};               // left to find itself where a jump left it
   double ms_per_update_{0.0};
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   Odometry odometry_;
+  OdometryWatch odometry_watch_;
   EstimatePublisher publisher_;
   PoseKeeper pose_keeper_;
   ScanSource scans_;
   ros::Subscriber initial_pose_;
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;
+  ros::ServiceServer set_map_;
   MapSource maps_;
+  NodeDiagnostics diagnostics_;
+  Reconfigure reconfigure_;
 };
 
 }  // namespace adaptive_localization

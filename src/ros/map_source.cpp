@@ -11,13 +11,15 @@ MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Call
     : callback_(std::move(callback)), first_only_(first_only) {
   if (use_topic) {
     subscriber_ = node.subscribe("map", 1, &MapSource::onTopic, this);
-    ROS_INFO("Waiting for a map on %s", subscriber_.getTopic().c_str());
+    name_ = "topic " + subscriber_.getTopic();
+    ROS_INFO("Waiting for a map on %s", name_.c_str());
     return;
   }
   service_ = node.serviceClient<nav_msgs::GetMap>("static_map");
   timer_ =
       node.createWallTimer(ros::WallDuration(0.5), [this](const ros::WallTimerEvent&) { ask(); });
-  ROS_INFO("Waiting for a map from service %s", service_.getService().c_str());
+  name_ = "service " + service_.getService();
+  ROS_INFO("Waiting for a map from %s", name_.c_str());
 }
 
 void MapSource::onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map) {
@@ -29,7 +31,7 @@ void MapSource::ask() {
   if (service_.exists() && service_.call(request)) {
     if (callback_(request.response.map)) timer_.stop();
   } else {
-    ROS_WARN_THROTTLE(10.0, "Service %s gives no map, trying again", service_.getService().c_str());
+    ROS_WARN_THROTTLE(10.0, "There is no map from %s, trying again", name_.c_str());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <functional>
+#include <string>
 
 namespace adaptive_localization {
 
@@ -16,12 +17,16 @@ class MapSource {
 
   MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback);
 
+  /// The topic or service it asks.
+  const std::string& name() const { return name_; }
+
  private:
   void onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map);
   void ask();
 
   Callback callback_;
   bool first_only_;
+  std::string name_;
   ros::Subscriber subscriber_;
   ros::ServiceClient service_;
   ros::WallTimer timer_;

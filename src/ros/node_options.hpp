@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/options.hpp"
 
 namespace adaptive_localization {
+
+/// The names in a list separated by spaces or commas, each once.
+inline std::vector<std::string> namesIn(std::string list) {
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::istringstream words(list);
+  std::vector<std::string> names;
+  for (std::string name; words >> name;) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
 
 /// What the node itself is told; everything else goes to the Localizer. Names and defaults are
 /// amcl's, where amcl has the option.
@@ -14,11 +29,19 @@ struct NodeOptions {
   std::string odom_frame_id{"odom"};
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
+  std::string scan_topics{"scan"};
+  double scan_time_offset{0.0};
   bool use_map_topic{false};
   bool first_map_only{false};
   bool tf_broadcast{true};
   double transform_tolerance{0.1};
+  double tf_rate{0.0};
   double save_pose_rate{0.5};
+  bool force_update_after_initialpose{false};
+  bool force_update_after_set_map{false};
+  double std_warn_level_x{0.2};
+  double std_warn_level_y{0.2};
+  double std_warn_level_yaw{0.1};
   std::string start{"pose"};
   double initial_pose_x{0.0};
   double initial_pose_y{0.0};
@@ -32,14 +55,30 @@ struct NodeOptions {
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the map.");
+    option("scan_topics", scan_topics, Choices{},
+           "Topics with scans, separated by spaces or commas.");
+    option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
+           "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");
     option("tf_broadcast", tf_broadcast, "Send the transform from map to odom.");
     option("transform_tolerance", transform_tolerance, Range{0, 60}, "s",
            "How far the transform is dated into the future.");
+    option("tf_rate", tf_rate, Range{0, 1000}, "Hz",
+           "Rate of the transform from map to odom; 0: one with each scan.");
     option("save_pose_rate", save_pose_rate, Range{-1, 1000}, "Hz",
            "How often the pose is kept in initial_pose_* and initial_cov_*; not above 0: never.");
+    option("force_update_after_initialpose", force_update_after_initialpose,
+           "After an initial pose, use a second scan whether the robot moved or not.");
+    option("force_update_after_set_map", force_update_after_set_map,
+           "After set_map, use a second scan whether the robot moved or not.");
+    option("std_warn_level_x", std_warn_level_x, kNotNegative, "m",
+           "Standard deviation in x above which /diagnostics warns.");
+    option("std_warn_level_y", std_warn_level_y, kNotNegative, "m",
+           "Standard deviation in y above which /diagnostics warns.");
+    option("std_warn_level_yaw", std_warn_level_yaw, kNotNegative, "rad",
+           "Standard deviation in yaw above which /diagnostics warns.");
     option("start", start, Choices{"pose", "anywhere", "wait"},
            "Start at initial_pose_*, anywhere on the map, or wait for an initialpose.");
     option("initial_pose_x", initial_pose_x, kAnyNumber, "m", "Pose to start at, x.");
@@ -57,5 +96,13 @@ struct NodeOptions {
     return prior;
   }
 };
+
+/// Reads the node's options and says all that are in effect. Makes a localizer on a map of one cell
+/// on the way, so that wrong parameters show at the start, not with the map.
+/// Throws std::invalid_argument naming key, value and range.
+NodeOptions readNodeOptions(const Parameters& parameters);
+
+/// What to believe at the start; nothing: wait for an initial pose.
+std::optional<Prior> startOf(const NodeOptions& options);
 
 }  // namespace adaptive_localization

@@ -11,7 +11,8 @@ PoseKeeper::PoseKeeper(const ros::NodeHandle& private_node, double rate)
 void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
   if (rate_ <= 0.0) return;
   pose_ = pose;
-  if (std::abs((stamp - written_).toSec()) < 1.0 / rate_) return;  // also when time jumped back
+  if (std::abs(stamp.toSec() - written_.toSec()) < 1.0 / rate_)
+    return;  // also when time jumped back
   written_ = stamp;
   write();
 }

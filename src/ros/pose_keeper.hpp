@@ -16,6 +16,8 @@ class PoseKeeper {
   /// `rate` in Hz; not above 0: keeps nothing.
   PoseKeeper(const ros::NodeHandle& private_node, double rate);
 
+  void setRate(double rate) { rate_ = rate; }
+
   /// Takes a new pose and writes it when it is time.
   void keep(const Gaussian2& pose, const ros::Time& stamp);
 

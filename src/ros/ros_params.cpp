@@ -16,8 +16,6 @@ const std::set<std::string>& amclKeys() {
                                           "beam_skip_error_threshold",
                                           "beam_skip_threshold",
                                           "do_beamskip",
-                                          "force_update_after_initialpose",
-                                          "force_update_after_set_map",
                                           "gui_publish_rate",
                                           "kld_err",
                                           "kld_z",
@@ -42,10 +40,7 @@ const std::set<std::string>& amclKeys() {
                                           "recovery_alpha_slow",
                                           "resample_interval",
                                           "restore_defaults",
-                                          "selective_resampling",
-                                          "std_warn_level_x",
-                                          "std_warn_level_y",
-                                          "std_warn_level_yaw"};
+                                          "selective_resampling"};
   return keys;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_source.hpp"
 
+#include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -12,35 +13,64 @@ namespace {
 constexpr std::uint32_t kQueue = 100;
 constexpr std::size_t kReasonsKept = 100;
 const ros::WallDuration kSayAgain(5.0);
-const ros::WallDuration kWatchPeriod(15.0);
+const ros::WallDuration kPatience(3.0);  // without a scan
 
 }  // namespace
 
-ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const std::string& odom_frame,
-                       const std::string& base_frame, Callback callback)
+ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOptions& options,
+                       Callback callback, JumpCallback on_jump)
     : tf_(tf),
-      odom_frame_(odom_frame),
-      mounts_(node, tf, base_frame),
+      options_(options),
+      mounts_(node, tf, options.base_frame_id),
       callback_(std::move(callback)),
-      filter_(tf, odom_frame, kQueue, node) {
+      on_jump_(std::move(on_jump)),
+      filter_(tf, options.odom_frame_id, kQueue, node) {
   filter_.registerCallback([this](const sensor_msgs::LaserScan::ConstPtr& m) { onPlaced(m); });
   filter_.registerFailureCallback([this](const sensor_msgs::LaserScan::ConstPtr& message,
                                          tf2_ros::filter_failure_reasons::FilterFailureReason) {
-    drop("tf cannot place frame '" + message->header.frame_id + "' in '" + odom_frame_ +
+    drop("tf cannot place frame '" + message->header.frame_id + "' in '" + options_.odom_frame_id +
          "' at its stamp");
   });
-  subscriber_ = node.subscribe("scan", kQueue, &ScanSource::onMessage, this);
-  watchdog_ = node.createWallTimer(kWatchPeriod, [this](const ros::WallTimerEvent&) { watch(); });
+  for (const auto& topic : namesIn(options.scan_topics)) {
+    subscribers_.push_back(node.subscribe(topic, kQueue, &ScanSource::add, this));
+  }
 }
 
-void ScanSource::onMessage(const sensor_msgs::LaserScan::ConstPtr& message) {
+void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
   ++counts_.received;
+  last_received_ = ros::WallTime::now();
   last_frame_ = withoutLeadingSlash(message->header.frame_id);
   if (last_frame_.empty()) return drop("its frame_id is empty");
+  sensor_msgs::LaserScan::ConstPtr scan = message;
+  if (options_.scan_time_offset != 0.0) {
+    const double stamp = message->header.stamp.toSec() + options_.scan_time_offset;
+    if (stamp < 0.0 || stamp >= 4294967295.0) return drop("its stamp is out of range");
+    const auto shifted = boost::make_shared<sensor_msgs::LaserScan>(*message);
+    shifted->header.stamp = ros::Time(stamp);
+    scan = shifted;
+  }
+  if (const auto jump = stamps_.jumpTo(last_frame_, scan->header.stamp)) {
+    onJump(*jump, scan->header.stamp);
+  }
   if (mounts_.lookFor(last_frame_) == LaserMounts::Knowledge::kUnknown) {
     return drop("neither tf nor robot_description knows where frame '" + last_frame_ + "' is");
   }
-  filter_.add(message);
+  filter_.add(scan);
+}
+
+void ScanSource::onJump(double seconds, const ros::Time& stamp) {
+  if (seconds < 0.0) {
+    // The listener empties tf when the clock jumps; without simulated time it sees no jump, and
+    // takes all new transforms for outdated ones.
+    try {
+      const auto newest =
+          tf_.lookupTransform(options_.odom_frame_id, options_.base_frame_id, ros::Time(0));
+      if (newest.header.stamp.toSec() > stamp.toSec() + 1.0) tf_.clear();
+    } catch (const tf2::TransformException&) {  // emptied already
+    }
+    filter_.clear();
+  }
+  on_jump_(seconds);
 }
 
 void ScanSource::onPlaced(const sensor_msgs::LaserScan::ConstPtr& message) {
@@ -48,6 +78,7 @@ void ScanSource::onPlaced(const sensor_msgs::LaserScan::ConstPtr& message) {
   const auto mount =
       mounts_.at(withoutLeadingSlash(message->header.frame_id), message->header.stamp, &why);
   if (!mount) return drop(why);
+  last_placed_ = ros::WallTime::now();
   try {
     if (callback_(*message, *mount)) ++counts_.used;
   } catch (const std::invalid_argument& error) {
@@ -66,18 +97,27 @@ void ScanSource::drop(const std::string& why) {
   ROS_WARN("Scan dropped (%d of %d so far): %s", counts_.dropped, counts_.received, why.c_str());
 }
 
-void ScanSource::watch() {
-  if (counts_.used == counts_at_watch_.used) {
-    std::string why = "no scan came on " + subscriber_.getTopic();
-    if (counts_.received > counts_at_watch_.received) {
-      why = std::to_string(counts_.received - counts_at_watch_.received) + " scans came, but";
-      std::string error;
-      const bool placed = tf_.canTransform(odom_frame_, last_frame_, ros::Time(0), &error);
-      why += placed ? " none could be used" : " tf does not place them: " + error;
+std::string ScanSource::missing() const {
+  const auto now = ros::WallTime::now();
+  if (now - last_received_ > kPatience) {
+    std::string topics;
+    for (const auto& subscriber : subscribers_) {
+      topics += (topics.empty() ? "" : " or ") + subscriber.getTopic();
     }
-    ROS_WARN("Not localizing for %.0f s: %s", kWatchPeriod.toSec(), why.c_str());
+    return "a scan on " + topics;
   }
-  counts_at_watch_ = counts_;
+  if (now - last_placed_ <= kPatience) return "";
+  std::string error;
+  if (!tf_.canTransform(options_.base_frame_id, last_frame_, ros::Time(0), &error)) {
+    return "a transform from '" + last_frame_ + "' to '" + options_.base_frame_id + "' (" + error +
+           ")";
+  }
+  if (!tf_.canTransform(options_.odom_frame_id, options_.base_frame_id, ros::Time(0), &error)) {
+    return "a transform from '" + options_.base_frame_id + "' to '" + options_.odom_frame_id +
+           "' (" + error + ")";
+  }
+  return "a transform from '" + options_.base_frame_id + "' to '" + options_.odom_frame_id +
+         "' at the stamps of the scans";
 }
 
 }  // namespace adaptive_localization

@@ -9,21 +9,30 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/scan.hpp"
+#include "continuity.hpp"
 #include "laser_mounts.hpp"
+#include "node_options.hpp"
 
 namespace adaptive_localization {
 
-/// Topic 'scan', held back until tf can place each scan in the odometry frame. Counts what came,
-/// what was used and what was dropped, and says why.
+/// Scans of one laser or several, each held back until tf can place it in the odometry frame.
+/// Counts what came, what was used and what was dropped, and says why. When time jumps back, tf is
+/// emptied and what was held back is forgotten.
 class ScanSource {
  public:
   /// Says whether the scan was used; throws std::invalid_argument saying what is wrong with it.
   using Callback = std::function<bool(const sensor_msgs::LaserScan&, const LaserMount&)>;
+  /// Told by how many seconds time jumped.
+  using JumpCallback = std::function<void(double)>;
 
-  ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const std::string& odom_frame,
-             const std::string& base_frame, Callback callback);
+  ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOptions& options,
+             Callback callback, JumpCallback on_jump);
+
+  /// As if it had come on a topic.
+  void add(const sensor_msgs::LaserScan::ConstPtr& message);
 
   struct Counts {
     int received{0};
@@ -32,25 +41,30 @@ class ScanSource {
   };
   const Counts& counts() const { return counts_; }
 
+  /// What is missing for scans to get through: any scan at all, or which transform. Empty as long
+  /// as they do.
+  std::string missing() const;
+
  private:
   using Filter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
 
-  void onMessage(const sensor_msgs::LaserScan::ConstPtr& message);
+  void onJump(double seconds, const ros::Time& stamp);
   void onPlaced(const sensor_msgs::LaserScan::ConstPtr& message);
   void drop(const std::string& why);
-  void watch();
 
   tf2_ros::Buffer& tf_;
-  std::string odom_frame_;
+  const NodeOptions& options_;  // the node's, which may change
   LaserMounts mounts_;
   Callback callback_;
+  JumpCallback on_jump_;
+  StampWatch stamps_;
   Counts counts_;
-  Counts counts_at_watch_;
+  ros::WallTime last_received_;
+  ros::WallTime last_placed_;
   std::string last_frame_;
   std::map<std::string, ros::WallTime> said_;  // reasons for dropping scans
   Filter filter_;
-  ros::Subscriber subscriber_;
-  ros::WallTimer watchdog_;
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 }  // namespace adaptive_localization

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "adaptive_localization/pose2.hpp"
+
+namespace adaptive_localization {
+
+/// Finds jumps of time in the stamps of scans: a bag played again, a simulation started again, a
+/// pause. Lasers are told apart by frame, since the clocks of two drivers may disagree.
+class StampWatch {
+ public:
+  /// Seconds from this frame's last stamp to this one if that is a jump, not a step: back by more
+  /// than a second or forward by more than ten.
+  std::optional<double> jumpTo(const std::string& frame, const ros::Time& stamp);
+
+ private:
+  std::map<std::string, ros::Time> last_;
+};
+
+/// Finds jumps of odometry that no robot can drive: a driver that was started again.
+class OdometryWatch {
+ public:
+  /// Whether this odometry goes on from the last one given.
+  bool goesOn(const ros::Time& stamp, const Pose2& T_odom_base);
+
+  void forget() { last_.reset(); }
+
+ private:
+  struct Reading {
+    ros::Time stamp;
+    Pose2 T_odom_base;
+  };
+  std::optional<Reading> last_;
+};
+
+}  // namespace adaptive_localization

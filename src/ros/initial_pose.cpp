@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "initial_pose.hpp"
+
+#include <ros/console.h>
+
+#include "conversions.hpp"
+
+namespace adaptive_localization {
+
+std::optional<Gaussian2> readInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message,
+                                         const std::string& map_frame, const Odometry& odometry) {
+  const std::string frame = withoutLeadingSlash(message.header.frame_id);
+  if (frame.empty()) {
+    ROS_WARN("The initial pose has no frame, taken as '%s'", map_frame.c_str());
+  } else if (frame != map_frame) {
+    ROS_WARN("Initial pose ignored: got frame '%s', expected '%s'", frame.c_str(),
+             map_frame.c_str());
+    return std::nullopt;
+  }
+  Gaussian2 prior = toGaussian(message.pose);
+  if (!isFinite(prior.mean) || !prior.covariance.allFinite() ||
+      prior.covariance.diagonal().minCoeff() < 0.0) {
+    ROS_WARN("Initial pose ignored: expected finite numbers and variances that are not negative");
+    return std::nullopt;
+  }
+  std::string why;
+  if (const auto motion = odometry.motionSince(message.header.stamp, &why)) {
+    prior.mean = prior.mean * *motion;
+  } else if (odometry.at(ros::Time(0))) {
+    ROS_WARN("Initial pose taken as that of now, its stamp is not in tf: %s", why.c_str());
+  }
+  ROS_INFO("Initial pose (%.3f, %.3f) m, %.1f deg", prior.mean.x, prior.mean.y,
+           prior.mean.theta * 180.0 / kPi);
+  return prior;
+}
+
+}  // namespace adaptive_localization

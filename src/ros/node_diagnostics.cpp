@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "node_diagnostics.hpp"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+
+#include <cmath>
+#include <utility>
+
+#include "status_message.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr int kComplainAfter = 5;  // s; then once in kComplainAgain
+constexpr int kComplainAgain = 15;
+
+DiagnosticStatus deviationStatus(const Eigen::Matrix3d& covariance, const NodeOptions& options) {
+  const Eigen::Array3d deviation = covariance.diagonal().array().max(0.0).sqrt();
+  const Eigen::Array3d limit(options.std_warn_level_x, options.std_warn_level_y,
+                             options.std_warn_level_yaw);
+  const bool fine = (deviation <= limit).all();
+  DiagnosticStatus status =
+      makeStatus("Standard deviation", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                 fine ? "OK" : "Too large");
+  const char* const axes[] = {"x", "y", "yaw"};
+  for (int i = 0; i < 3; ++i) add(status, std::string("std_") + axes[i], print("%g", deviation[i]));
+  for (int i = 0; i < 3; ++i) {
+    add(status, std::string("std_warn_level_") + axes[i], print("%g", limit[i]));
+  }
+  return status;
+}
+
+DiagnosticStatus scanStatus(const NodeHealth& health) {
+  const bool fine = health.missing.empty();
+  DiagnosticStatus status =
+      makeStatus("Scans", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                 fine ? "OK" : "Waiting for " + health.missing);
+  addCounts(status, health.scans);
+  return status;
+}
+
+}  // namespace
+
+NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,
+                                 std::function<NodeHealth()> ask)
+    : options_(options),
+      ask_(std::move(ask)),
+      publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
+      timer_(node.createWallTimer(ros::WallDuration(1.0),
+                                  [this](const ros::WallTimerEvent&) { publish(); })) {}
+
+void NodeDiagnostics::publish() {
+  const NodeHealth health = ask_();
+  diagnostic_msgs::DiagnosticArray message;
+  message.header.stamp = ros::Time::now();
+  if (health.covariance) message.status.push_back(deviationStatus(*health.covariance, options_));
+  message.status.push_back(scanStatus(health));
+  publisher_.publish(message);
+  complain(health.missing);
+}
+
+void NodeDiagnostics::complain(const std::string& missing) {
+  seconds_missing_ = missing.empty() ? 0 : seconds_missing_ + 1;
+  if (seconds_missing_ % kComplainAgain != kComplainAfter) return;
+  ROS_WARN("Not localizing for %d s: waiting for %s", seconds_missing_, missing.c_str());
+}
+
+}  // namespace adaptive_localization

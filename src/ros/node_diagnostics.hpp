@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "node_options.hpp"
+#include "scan_source.hpp"
+
+namespace adaptive_localization {
+
+/// How the node is, for people and for /diagnostics.
+struct NodeHealth {
+  ScanSource::Counts scans;
+  std::string missing;                        // what localizing waits for; empty: nothing
+  std::optional<Eigen::Matrix3d> covariance;  // of the last pose, if there is one
+};
+
+/// Once a second, whether scans come or not, sends /diagnostics: amcl's "Standard deviation", and
+/// "Scans" with their counters and what is missing. What stays missing goes to the log as well.
+class NodeDiagnostics {
+ public:
+  NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,
+                  std::function<NodeHealth()> ask);
+
+ private:
+  void publish();
+  void complain(const std::string& missing);
+
+  const NodeOptions& options_;  // the node's, which may change
+  std::function<NodeHealth()> ask_;
+  int seconds_missing_{0};
+  ros::Publisher publisher_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "node_options.hpp"
+
+#include <ros/console.h>
+
+#include <memory>
+
+#include "adaptive_localization/localizer.hpp"
+#include "conversions.hpp"
+#include "ros_params.hpp"
+
+namespace adaptive_localization {
+
+NodeOptions readNodeOptions(const Parameters& parameters) {
+  auto options = parameters.read<NodeOptions>();
+  for (auto* frame : {&options.odom_frame_id, &options.base_frame_id, &options.global_frame_id}) {
+    *frame = withoutLeadingSlash(*frame);
+  }
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  const Localizer localizer(parameters, cell);
+  reportUnknown(localizer.unknownKeys());
+  std::string text;
+  const auto append = [&text](const std::vector<OptionDescription>& rows) {
+    for (const auto& row : rows) text += "\n  " + row.key + ": " + toText(row.value);
+  };
+  append(describe(options));
+  append(localizer.effectiveOptions());
+  ROS_INFO("Options in effect:%s", text.c_str());
+  return options;
+}
+
+std::optional<Prior> startOf(const NodeOptions& options) {
+  if (options.start == "wait") return std::nullopt;
+  if (options.start == "anywhere") return Anywhere{};
+  return options.initialPose();
+}
+
+}  // namespace adaptive_localization

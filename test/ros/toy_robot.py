@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot without a simulator: transforms, scans and the map of an L-shaped room are computed and
+published by the test, with stamps of its own choice, so that a test is quick and exact."""
+import math
+
+import rospy
+import tf2_ros
+from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped, TransformStamped
+from diagnostic_msgs.msg import DiagnosticArray
+from localization_case import LocalizationCase
+from nav_msgs.msg import OccupancyGrid
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import LaserScan
+from tf2_msgs.msg import TFMessage
+
+CORNERS = [(0, 0), (8, 0), (8, 3), (3, 3), (3, 6), (0, 6)]  # m
+RESOLUTION = 0.05
+
+
+def inside(x, y):
+    return 0 < x < 8 and 0 < y < 3 or 0 < x < 3 and 0 < y < 6
+
+
+def room(frame="map"):
+    """The room with a wall of two cells all round."""
+    grid = OccupancyGrid()
+    grid.header.frame_id = frame
+    grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, 164, 124
+    grid.info.origin.position.x = grid.info.origin.position.y = -2 * RESOLUTION
+    grid.info.origin.orientation.w = 1.0
+    grid.data = [0 if inside((i - 1.5) * RESOLUTION, (j - 1.5) * RESOLUTION) else 100
+                 for j in range(124) for i in range(164)]
+    return grid
+
+
+def distance_to_wall(x, y, yaw):
+    c, s = math.cos(yaw), math.sin(yaw)
+    nearest = 30.0
+    for (x1, y1), (x2, y2) in zip(CORNERS, CORNERS[1:] + CORNERS[:1]):
+        if x1 == x2 and abs(c) > 1e-9:
+            r = (x1 - x) / c
+            if 0 < r < nearest and min(y1, y2) <= y + r * s <= max(y1, y2):
+                nearest = r
+        elif y1 == y2 and abs(s) > 1e-9:
+            r = (y1 - y) / s
+            if 0 < r < nearest and min(x1, x2) <= x + r * c <= max(x1, x2):
+                nearest = r
+    return nearest
+
+
+def compose(a, b):
+    c, s = math.cos(a[2]), math.sin(a[2])
+    return (a[0] + c * b[0] - s * b[1], a[1] + s * b[0] + c * b[1], a[2] + b[2])
+
+
+def transform(parent, child, pose, stamp):
+    message = TransformStamped()
+    message.header.frame_id, message.child_frame_id = parent, child
+    message.header.stamp = stamp
+    message.transform.translation.x, message.transform.translation.y = pose[0], pose[1]
+    message.transform.rotation.z = math.sin(pose[2] / 2)
+    message.transform.rotation.w = math.cos(pose[2] / 2)
+    return message
+
+
+class ToyRobotCase(LocalizationCase):
+    """The robot stands at `pose` in the map; its odometry says `odometry`."""
+
+    MOUNT = (0.2, 0.0, 0.0)
+
+    def setUp(self):
+        super().setUp()
+        self.pose = (1.5, 1.0, 0.3)
+        self.odometry = (0.0, 0.0, 0.0)
+        self.time = rospy.Time.now()
+        self.logs, self.clouds, self.corrections, self.diagnostics = [], [], [], []
+        logs = rospy.Subscriber("/rosout", Log, lambda log: self.logs.append(log.msg))
+        self.subscribers += [
+            logs,
+            rospy.Subscriber("particlecloud", PoseArray, self.clouds.append),
+            rospy.Subscriber("/tf", TFMessage, self.on_tf),
+            rospy.Subscriber("/diagnostics", DiagnosticArray, self.diagnostics.append)]
+        self.wait_for(lambda: logs.get_num_connections() >= 2, "the node's log and our own")
+        self.scans = self.publisher("scan", LaserScan)
+        self.initial_poses = self.publisher("initialpose", PoseWithCovarianceStamped)
+        self.maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        self.broadcaster = tf2_ros.TransformBroadcaster()
+        self.static_broadcaster = tf2_ros.StaticTransformBroadcaster()
+        self.static_broadcaster.sendTransform(
+            transform("base_link", "laser", self.MOUNT, rospy.Time.now()))
+
+    def publisher(self, topic, kind):
+        publisher = rospy.Publisher(topic, kind, queue_size=100)
+        self.wait_for(lambda: publisher.get_num_connections() > 0, "a subscriber of " + topic)
+        return publisher
+
+    def on_tf(self, message):
+        self.corrections += [t for t in message.transforms if t.header.frame_id == "map"]
+
+    def scan_message(self, mount=None, frame="laser", beams=181):
+        message = LaserScan()
+        message.header.frame_id, message.header.stamp = frame, self.time
+        message.angle_min, message.angle_max = -math.pi / 2, math.pi / 2
+        message.angle_increment = math.pi / (beams - 1)
+        message.range_max = 20.0
+        x, y, yaw = compose(self.pose, mount or self.MOUNT)
+        message.ranges = [distance_to_wall(x, y, yaw - math.pi / 2 + i * message.angle_increment)
+                          for i in range(beams)]
+        return message
+
+    def send_odometry(self):
+        self.broadcaster.sendTransform(transform("odom", "base_link", self.odometry, self.time))
+
+    def step(self, motion=(0.0, 0.0, 0.0), seconds=0.1):
+        """Moves, then sends odometry and a scan; waits a moment for the answer."""
+        self.time += rospy.Duration(seconds)
+        self.pose = compose(self.pose, motion)
+        self.odometry = compose(self.odometry, motion)
+        self.send_odometry()
+        self.scans.publish(self.scan_message())
+        rospy.sleep(0.03)
+
+    def steps(self, count, motion=(0.0, 0.0, 0.0)):
+        for _ in range(count):
+            self.step(motion)
+        rospy.sleep(0.1)
+
+    def forget(self):
+        """Forgets what was received."""
+        rospy.sleep(0.2)
+        for messages in [self.poses, self.clouds, self.corrections, self.logs, self.diagnostics]:
+            messages.clear()
+
+    def logged(self, text):
+        return [log for log in self.logs if text in log]
+
+    def wait_for_log(self, text):
+        self.wait_for(lambda: self.logged(text), "'%s' in the log" % text)
+
+    def diagnostic(self, what):
+        """The newest status of this name, as (level, message, values)."""
+        for array in reversed(self.diagnostics):
+            for status in array.status:
+                if status.name == "adaptive_localization: " + what:
+                    return status.level, status.message, {v.key: v.value for v in status.values}
+        return None
+
+    def error(self):
+        """Metres from the last pose to the truth."""
+        return math.hypot(self.poses[-1][1] - self.pose[0], self.poses[-1][2] - self.pose[1])
