@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time jumps back, with the robot where it was and elsewhere, and forward; odometry starts anew."""
+import sys
+
+import rospy
+import rostest
+from localization_case import initial_pose
+from toy_robot import ToyRobotCase, room
+
+TURN = (0.05, 0.0, 0.1)
+
+
+class TimeJump(ToyRobotCase):
+    def setUp(self):
+        super().setUp()
+        self.subscribers.pop(0).unregister()  # our own tf would complain about old data
+
+    def test_node_goes_on_after_jumps(self):
+        self.maps.publish(room())
+        self.wait_for_log("Map of")
+        self.initial_poses.publish(initial_pose(*self.pose))
+        self.wait_for_log("Initial pose")
+        self.steps(20, TURN)
+        self.check_tracking()
+
+        # A simulation started again: odometry too, the robot is where it was.
+        self.forget()
+        self.time -= rospy.Duration(100)
+        self.odometry = (0.0, 0.0, 0.0)
+        self.steps(20, TURN)
+        self.assertEqual(len(self.logged("Time jumped back by 99.9 s")), 1, self.logs)
+        self.check_tracking()
+        self.check_stamps()
+        self.wait_for(lambda: self.diagnostic("Standard deviation"), "diagnostics after the jump")
+        self.assertEqual(self.diagnostic("Scans")[0], 0)
+        self.check_kept()
+
+        # A bag played again: the robot is elsewhere, standing still at first.
+        self.forget()
+        self.time -= rospy.Duration(200)
+        self.pose, self.odometry = (5.5, 1.2, 2.5), (3.0, 1.0, 1.0)
+        self.steps(25)
+        self.assertTrue(self.logged("The robot is not where it was before the jump"), self.logs)
+        self.steps(80, (0.03, 0.0, 0.06))
+        self.assertEqual(len(self.logged("Time jumped back")), 1)
+        self.check_tracking()
+
+        # A pause in which the robot drove on.
+        self.forget()
+        self.time += rospy.Duration(50)
+        self.step((0.2, 0.1, 0.2))
+        self.steps(10, TURN)
+        self.assertEqual(len(self.logged("No scan for 50.1 s, or time jumped")), 1, self.logs)
+        self.check_tracking()
+
+        # A driver started again: odometry alone jumps.
+        self.forget()
+        self.odometry = (30.0, -10.0, 2.0)
+        self.steps(10, TURN)
+        self.assertEqual(len(self.logged("Odometry jumped")), 1, self.logs)
+        self.check_tracking()
+
+    def check_tracking(self):
+        self.assertEqual(self.status(), "tracking")
+        self.assertLess(self.error(), 0.12)
+
+    def check_stamps(self):
+        stamps = [t.header.stamp for t in self.corrections]
+        self.assertGreater(len(stamps), 15)
+        self.assertEqual(stamps, sorted(set(stamps)))
+        self.assertAlmostEqual((stamps[-1] - self.time).to_sec(), 0.1, places=6)
+
+    def check_kept(self):
+        kept = [rospy.get_param("adaptive_localization/initial_pose_" + axis) for axis in "xy"]
+        self.assertLess(abs(kept[0] - self.pose[0]) + abs(kept[1] - self.pose[1]), 0.3)
+
+
+if __name__ == "__main__":
+    rospy.init_node("time_jump_test")
+    rostest.rosrun("adaptive_localization", "time_jump", TimeJump, sys.argv)
