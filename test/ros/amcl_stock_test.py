@@ -16,6 +16,9 @@ PUBLISHED = {
     "/amcl_pose": "geometry_msgs/PoseWithCovarianceStamped",
     "/particlecloud": "geometry_msgs/PoseArray",
     "/tf": "tf2_msgs/TFMessage",
+    "/diagnostics": "diagnostic_msgs/DiagnosticArray",
+    "/amcl/parameter_descriptions": "dynamic_reconfigure/ConfigDescription",
+    "/amcl/parameter_updates": "dynamic_reconfigure/Config",
     "/rosout": "rosgraph_msgs/Log",
 }
 SUBSCRIBED = {
@@ -25,10 +28,18 @@ SUBSCRIBED = {
     "/tf_static": "tf2_msgs/TFMessage",
     "/clock": "rosgraph_msgs/Clock",
 }
-SERVED = {"/global_localization", "/request_nomotion_update", "/amcl/get_loggers",
-          "/amcl/set_logger_level"}
+SERVED = {"/global_localization", "/request_nomotion_update", "/set_map", "/amcl/set_parameters",
+          "/amcl/get_loggers", "/amcl/set_logger_level"}
 KEPT = {"initial_pose_x", "initial_pose_y", "initial_pose_a", "initial_cov_xx", "initial_cov_yy",
         "initial_cov_aa"}
+FIELDS = set("""use_map_topic first_map_only gui_publish_rate save_pose_rate laser_min_range
+    laser_max_range laser_max_beams min_particles max_particles kld_err kld_z odom_alpha1 odom_alpha2
+    odom_alpha3 odom_alpha4 odom_alpha5 do_beamskip beam_skip_distance beam_skip_threshold laser_z_hit
+    laser_z_short laser_z_max laser_z_rand laser_sigma_hit laser_lambda_short laser_model_type
+    laser_likelihood_max_dist odom_model_type update_min_d update_min_a odom_frame_id base_frame_id
+    global_frame_id resample_interval transform_tolerance recovery_alpha_slow recovery_alpha_fast
+    tf_broadcast force_update_after_initialpose force_update_after_set_map
+    restore_defaults""".split())  # of amcl's dynamic_reconfigure
 
 
 class AmclStock(LocalizationCase):
@@ -79,6 +90,7 @@ class AmclStock(LocalizationCase):
     def test_parameters_are_left_as_given_and_the_pose_is_kept(self):
         self.wait_for(lambda: KEPT <= set(rospy.get_param("/amcl")), "the kept pose")
         found = rospy.get_param("/amcl")
+        self.assertEqual((len(FIELDS), FIELDS - set(found)), (41, set()))
         for key, value in {"laser_max_beams": 30, "max_particles": 5000, "odom_alpha3": 0.8,
                            "laser_z_rand": 0.5, "gui_publish_rate": 10.0, "kld_z": 0.99,
                            "recovery_alpha_slow": 0.0, "odom_frame_id": "odom"}.items():
