@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_keeper.hpp"
 
+#include <ros/console.h>
+#include <ros/master.h>
+
 #include <cmath>
 
 namespace adaptive_localization {
@@ -19,6 +22,11 @@ void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
 
 void PoseKeeper::write() const {
   if (!pose_) return;
+  if (!ros::master::check()) {  // setParam would wait for it, and with it the whole node
+    ROS_WARN_THROTTLE(10.0, "No ROS master at %s: localizing goes on, but the pose is not kept",
+                      ros::master::getURI().c_str());
+    return;
+  }
   node_.setParam("initial_pose_x", pose_->mean.x);
   node_.setParam("initial_pose_y", pose_->mean.y);
   node_.setParam("initial_pose_a", pose_->mean.theta);
