@@ -48,7 +48,15 @@ LaserMount LaserMount::upsideDown(const Pose2& T_base_sensor) {
   return mount;
 }
 
-Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options) {
+double durationOf(const LaserScan& message) {
+  constexpr double kLongest = 2.0;  // s
+  if (message.ranges.size() < 2) return 0.0;
+  const double duration = message.time_increment * static_cast<double>(message.ranges.size() - 1);
+  return duration > 0.0 && duration < kLongest ? duration : 0.0;
+}
+
+Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options,
+            const BaseVelocity& velocity) {
   check(message);
   const double min_range = std::max(message.range_min, options.laser_min_range);
   // a driver may say that its laser has no limit; the models need a number
@@ -56,6 +64,9 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
   const double max_range =
       options.laser_max_range > 0.0 ? std::min(limit, options.laser_max_range) : limit;
   const auto beams = static_cast<Eigen::Index>(message.ranges.size());
+  const bool moves = velocity.x != 0.0 || velocity.y != 0.0 || velocity.turn != 0.0;
+  const double between_beams =
+      options.deskew && moves && durationOf(message) > 0.0 ? message.time_increment : 0.0;
   const Eigen::Index used = std::min<Eigen::Index>(beams, options.laser_max_beams);
 
   Scan scan;
@@ -79,15 +90,21 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
     const double angle = i == 0
                              ? message.angle_min
                              : message.angle_min + static_cast<double>(i) * message.angle_increment;
+    const double t = static_cast<double>(i) * between_beams;
+    const Pose2 T_first_now{velocity.x * t, velocity.y * t, velocity.turn * t};
     const Eigen::Vector2d direction =
         mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    const auto bearing = static_cast<float>(std::atan2(direction.y(), direction.x()));
+    const double bearing_now = std::atan2(direction.y(), direction.x());
+    const auto bearing = static_cast<float>(
+        between_beams > 0.0 ? wrapAngle(bearing_now + T_first_now.theta) : bearing_now);
     if (range >= max_range) {
       scan.no_return_bearing[no_returns++] = bearing;
       continue;
     }
-    scan.x[hits] = static_cast<float>(mount.position.x() + range * direction.x());
-    scan.y[hits] = static_cast<float>(mount.position.y() + range * direction.y());
+    Eigen::Vector2d point = mount.position + range * direction;
+    if (between_beams > 0.0) point = T_first_now * point;
+    scan.x[hits] = static_cast<float>(point.x());
+    scan.y[hits] = static_cast<float>(point.y());
     scan.range[hits] = static_cast<float>(range * direction.norm());
     scan.bearing[hits] = bearing;
     ++hits;

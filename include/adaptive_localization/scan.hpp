@@ -49,6 +49,7 @@ struct ScanOptions {
   int laser_max_beams{180};
   double laser_min_range{-1.0};
   double laser_max_range{-1.0};
+  bool deskew{true};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -58,12 +59,27 @@ struct ScanOptions {
            "Shorter readings are invalid; -1: as the scan message says.");
     option("laser_max_range", laser_max_range, Range{-1, 1000}, "m",
            "Longer readings are no-returns; -1: as the scan message says.");
+    option("deskew", deskew, "Undo the robot's motion from the first beam of a scan to the last.");
   }
 };
 
-/// Sorts and thins the beams and moves them to base. Each scan is taken by its own shape, so scans
-/// of changing shape (sicklms alternates 181 and 180 beams) are fine.
+/// How the robot moves while a scan is taken: in its own frame, m/s and rad/s.
+struct BaseVelocity {
+  double x{0.0};
+  double y{0.0};
+  double turn{0.0};
+};
+
+/// Seconds from the first beam of a scan to the last; 0 where the driver does not say, or says a
+/// time that no laser takes.
+double durationOf(const LaserScan& message);
+
+/// Sorts and thins the beams and moves them to base as it stood at the first beam: with a velocity,
+/// a beam sensed t seconds later is moved on by velocity * t, as if it had been seen at once. Each
+/// scan is taken by its own shape, so scans of changing shape (sicklms alternates 181 and 180
+/// beams) are fine.
 /// Throws std::invalid_argument for a scan without beams or with angles or limits that make none.
-Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options);
+Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options,
+            const BaseVelocity& velocity = {});
 
 }  // namespace adaptive_localization

@@ -81,7 +81,10 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     ROS_WARN("Odometry jumped: starting anew around the last pose");
     startAround(*answer_);
   }
-  const Scan scan = toScan(toLaserScan(message), mount, localizer_->scanOptions());
+  const LaserScan laser_scan = toLaserScan(message);
+  const double duration = durationOf(laser_scan);
+  const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
+  const Scan scan = toScan(laser_scan, mount, localizer_->scanOptions(), velocity);
   if (scan.hits() == 0 && scan.no_return_bearing.size() == 0) {
     throw std::invalid_argument("none of its " + std::to_string(message.ranges.size()) +
                                 " ranges is valid");

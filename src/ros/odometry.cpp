@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odometry.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "conversions.hpp"
@@ -26,6 +27,18 @@ std::optional<Pose2> Odometry::motionSince(const ros::Time& stamp, std::string* 
   const auto now = at(ros::Time(0), why);
   if (!then || !now) return std::nullopt;
   return between(*then, *now);
+}
+
+BaseVelocity Odometry::velocityDuring(const ros::Time& stamp, double seconds) const {
+  constexpr double kShortest = 0.02;  // s; tf's stamps and poses are too coarse for less
+  const double span = std::max(seconds, kShortest);
+  const auto now = at(stamp);
+  const auto later = at(stamp + ros::Duration(span));
+  const auto before =
+      later || stamp.toSec() < span ? std::nullopt : at(stamp - ros::Duration(span));
+  if (!now || !(later || before)) return {};
+  const Pose2 motion = later ? between(*now, *later) : between(*before, *now);
+  return {motion.x / span, motion.y / span, motion.theta / span};
 }
 
 }  // namespace adaptive_localization

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 
@@ -20,6 +20,10 @@ class Odometry {
 
   /// How far the robot went between a stamp and the newest odometry; nothing where tf cannot tell.
   std::optional<Pose2> motionSince(const ros::Time& stamp, std::string* why = nullptr) const;
+
+  /// How the robot moves during the seconds after a stamp; where tf does not know their end yet, as
+  /// in the same time before it. Zero where tf cannot tell.
+  BaseVelocity velocityDuring(const ros::Time& stamp, double seconds) const;
 
  private:
   const tf2_ros::Buffer& tf_;
