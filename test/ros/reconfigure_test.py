@@ -35,7 +35,8 @@ class Reconfigure(LocalizationCase):
         self.clouds = []  # their sizes
         self.client = Client(NODE, timeout=20)
         self.at_start = self.client.get_configuration(timeout=20)
-        self.wait_for(lambda: self.errors() and self.clouds, "a first pose")
+        self.wait_for(lambda: self.is_accurate(0) and self.clouds, "the robot to be tracked")
+        self.since = rospy.get_time()
 
     def tearDown(self):
         self.set(restore_defaults=True)
@@ -55,18 +56,31 @@ class Reconfigure(LocalizationCase):
         """The configuration that the node answers with."""
         return self.client.update_configuration(values)
 
+    def jumps(self):
+        """How far each new transform moves the robot, in m and rad."""
+        for (_, *old), (stamp, *new) in zip(self.corrections, self.corrections[1:]):
+            truth = self.truth_at(stamp)
+            if truth and stamp > self.since:
+                turned = wrap(new[2] - old[2])
+                x, y = truth[0] - old[0], truth[1] - old[1]
+                moved = (new[0] + math.cos(turned) * x - math.sin(turned) * y,
+                         new[1] + math.sin(turned) * x + math.cos(turned) * y)
+                yield math.dist(moved, truth[:2]), abs(turned)
+
     def expect_smooth_tracking(self, seconds):
-        """Goes on for so long; nothing since the test began may have jumped."""
+        """Goes on for so long; since the test began the pose is right and nothing jumped."""
         clouds, poses = len(self.clouds), len(self.poses)
         self.wait_for_time(seconds)
         self.assertGreater(len(self.poses), poses)
         self.assertGreater(len(self.clouds), clouds)
-        for _, metres, degrees in self.errors():
-            self.assertLess(metres, 0.15)
-            self.assertLess(degrees, 5.0)
-        for a, b in zip(self.corrections, self.corrections[1:]):
-            self.assertLess(math.hypot(b[1] - a[1], b[2] - a[2]), 0.15)
-            self.assertLess(abs(wrap(b[3] - a[3])), math.radians(5))
+        for _, metres, degrees in self.errors(self.since):
+            self.assertLess(metres, 0.1)
+            self.assertLess(degrees, 4.0)
+        jumps = list(self.jumps())
+        self.assertGreater(len(jumps), 5)
+        for metres, turned in jumps:
+            self.assertLess(metres, 0.08)
+            self.assertLess(turned, math.radians(6))
         self.assertEqual(self.status(), "tracking")
 
     def test_fields_of_amcl_exist(self):
