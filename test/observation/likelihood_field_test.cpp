@@ -68,7 +68,7 @@ TEST(LikelihoodField, IsBlunterWhereParticlesAreSparse) {
   EXPECT_NEAR(scoresOf(options, wall(), seen, dense).log_likelihood[0], likelihoodOf(0.15, 0.1),
               1e-3);
   Particles sparse = dense;
-  sparse.setPose(1, kInLane * Pose2{5.0, 0.0, 0.0});
+  sparse.setPose(8, kInLane * Pose2{5.0, 0.0, 0.0});
   EXPECT_NEAR(scoresOf(options, wall(), seen, sparse).log_likelihood[0], likelihoodOf(0.15, 0.3),
               1e-3);
   options.laser_sigma_sparse = 0.0;
