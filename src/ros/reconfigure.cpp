@@ -133,6 +133,7 @@ void Reconfigure::publish() {
   if (described_ != fields_.size()) descriptions_.publish(toDescription(fields_));
   described_ = fields_.size();
   updates_.publish(toConfig(fields_));
+  if (!ros::master::check()) return;  // setParam would wait for it, and with it the whole node
   for (const auto& field : fields_) {
     const auto before = written_.find(field.key);
     if (before != written_.end() && before->second == field.value) continue;
