@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints every option there is, as tables for the README or as a parameter file of one core.
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iomanip>
 #include <iostream>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "../ros/node_options.hpp"
+#include "../ros/reconfigure_fields.hpp"
 #include "adaptive_localization/localizer.hpp"
 
 namespace adaptive_localization {
@@ -19,6 +22,7 @@ namespace {
 
 constexpr auto kUsage = R"(usage: list_options                               tables in Markdown
        list_options --yaml CORE [--preset seed]   parameter file with the values of that core
+       list_options --cfg                         fields of dynamic_reconfigure
 )";
 
 std::string rangeText(const Range& range) {
@@ -111,8 +115,54 @@ void printYaml(const std::string& core, const std::string& preset) {
   }
 }
 
+std::string pythonText(const OptionValue& value) {
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "True" : "False";
+  if (std::holds_alternative<std::string>(value)) return '"' + toText(value) + '"';
+  return exactText(value);
+}
+
+std::string pythonLimit(const OptionDescription& option, const std::string& name, double limit) {
+  if (!std::isfinite(limit)) return "";
+  if (std::holds_alternative<double>(option.value)) return ", " + name + "=" + toText(limit);
+  if (!std::holds_alternative<int>(option.value)) return "";
+  return ", " + name + "=" + std::to_string(std::lround(limit));
+}
+
+/// The words of an option, as constants whose names are fit for C++.
+std::string pythonEnum(const OptionDescription& option) {
+  std::string constants;
+  for (const auto& word : option.choices) {
+    std::string name = option.key + "_" + word;
+    std::replace(name.begin(), name.end(), '-', '_');
+    constants += (constants.empty() ? "" : ", ") + ("gen.const(\"" + name) + "\", str_t, \"" +
+                 word + "\", \"\")";
+  }
+  return "gen.enum([" + constants + "], \"\")";
+}
+
+void printCfg() {
+  constexpr const char* kTypes[] = {"bool_t", "int_t", "double_t", "str_t"};
+  std::cout
+      << "#!/usr/bin/env python3\n"
+         "# The fields that the node serves, for those who want a class of them. The node makes\n"
+         "# them at run time, with those of plug-ins; scripts/update_docs writes this file.\n"
+         "from dynamic_reconfigure.parameter_generator_catkin import *\n\n"
+         "gen = ParameterGenerator()\n";
+  for (const auto& field : fieldsOf(allOptions({}), {})) {
+    std::cout << "gen.add(\"" << field.key << "\", " << kTypes[field.value.index()] << ", 0, \""
+              << field.sentence << "\", " << pythonText(field.value);
+    std::cout << pythonLimit(field, "min", field.range.low)
+              << pythonLimit(field, "max", field.range.high);
+    if (!field.choices.empty()) std::cout << ",\n        edit_method=" << pythonEnum(field);
+    std::cout << ")\n";
+  }
+  std::cout << "\nexit(gen.generate(\"adaptive_localization\", \"adaptive_localization\", "
+               "\"AdaptiveLocalization\"))\n";
+}
+
 void listOptions(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return printTables();
+  if (arguments.size() == 1 && arguments[0] == "--cfg") return printCfg();
   const bool has_preset = arguments.size() == 4 && arguments[2] == "--preset";
   if (arguments[0] != "--yaml" || (arguments.size() != 2 && !has_preset)) {
     throw std::invalid_argument(kUsage);

@@ -83,6 +83,12 @@ TEST(Documents, ParameterFilesGiveWhatThePresetGives) {
   });
 }
 
+TEST(Documents, FieldsOfDynamicReconfigureAreUpToDate) {
+  const std::string fields = outputOf("--cfg");
+  EXPECT_THAT(fields, HasSubstr("gen.add(\"laser_max_beams\", int_t, 0,"));
+  EXPECT_EQ(contentsOf("config/AdaptiveLocalization.cfg"), fields) << kAdvice;
+}
+
 TEST(Documents, ListOptionsRefusesWhatItDoesNotKnow) {
   EXPECT_THAT(outputOf("--yaml nosuch"), HasSubstr("'nosuch'"));
   EXPECT_THAT(outputOf("--yaml kld --preset nosuch"), HasSubstr("'nosuch'"));
