@@ -41,6 +41,41 @@ TEST(Plugin, RunsInTheLocalizer) {
   EXPECT_THAT(answer.T_map_base, PoseNear(Pose2{1.0, 1.5, kPi / 2}, 1e-9, 1e-9));
 }
 
+TEST(Plugin, TakesOverTheBeliefAndGivesItBackWhileTheRobotDrives) {
+  const auto map = asymmetricWorld();
+  Parameters other = withPlugin();
+  other.set("filter", OptionValue{std::string("mcl")});
+  other.set("laser_sigma_hit", OptionValue{0.1});
+  Localizer localizer(other, map);
+  const Gaussian2 start{{1.0, 1.0, 0.0}, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()};
+  localizer.reset(start);
+  const auto drive = [&](double x) {
+    const Pose2 T_odom_base{x, 0.0, 0.0};
+    return localizer.update(T_odom_base, ToyLaser{61}.observe(map, start.mean * T_odom_base));
+  };
+  for (int i = 0; i < 5; ++i) drive(0.2 * i);
+  for (const Parameters& next : {withPlugin(), other, withPlugin()}) {
+    const double x = drive(0.8).T_map_base.x;
+    localizer.configure(next);
+    EXPECT_NEAR(drive(0.8).T_map_base.x, x, 1e-9);
+    EXPECT_THAT(drive(1.0).T_map_base, PoseNear(Pose2{2.0, 1.0, 0.0}, 0.1, 0.05));
+    EXPECT_THAT(drive(0.8).T_map_base, PoseNear(Pose2{1.8, 1.0, 0.0}, 0.1, 0.05));
+  }
+}
+
+TEST(Plugin, ShowsItsOptionsWhicheverFilterRuns) {
+  Parameters parameters = withPlugin();
+  parameters.set("filter", OptionValue{std::string("mcl")});
+  parameters.set("dead_reckoning_scale", OptionValue{2});
+  const Localizer localizer(parameters, asymmetricWorld());
+  for (const auto& row : localizer.allOptions()) {
+    if (row.key != "dead_reckoning_scale") continue;
+    EXPECT_EQ(row.value, OptionValue{2.0});
+    return;
+  }
+  FAIL() << "no option of the plug-in";
+}
+
 TEST(Plugin, HasOptionsAndPresets) {
   const auto travelled = [](const Parameters& parameters) {
     Localizer localizer(parameters, asymmetricWorld());

@@ -3,10 +3,12 @@
 """Options change through dynamic_reconfigure while the simulated robot drives."""
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
 
+import roslib.packages
 import rospy
 import rostest
 from dynamic_reconfigure import DynamicReconfigureParameterException
@@ -158,6 +160,21 @@ class Reconfigure(LocalizationCase):
         for key, value in self.at_start.items():
             if key != "groups":
                 self.assertEqual(answer[key], value, key)
+
+    def test_only_what_was_given_or_set_outlives_the_node(self):
+        rospy.set_param("other", {"odom_alpha1": 0.5})
+        program = roslib.packages.find_node(NODE, NODE)[0]
+        node = subprocess.Popen([program, "__name:=other"], stdout=subprocess.DEVNULL)
+        try:
+            client = Client("other", timeout=20)
+            client.update_configuration({"filter": "mcl", "laser_max_beams": 60})
+            self.assertEqual(rospy.get_param("other/max_particles"), 2000)
+            client.close()
+        finally:
+            node.send_signal(signal.SIGINT)
+            self.assertEqual(node.wait(10), 0)
+        self.assertEqual(rospy.get_param("other"),
+                         {"odom_alpha1": 0.5, "filter": "mcl", "laser_max_beams": 60})
 
     def test_command_line_client_works(self):
         def dynparam(*arguments):
