@@ -61,9 +61,11 @@ LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
   return scan;
 }
 
-OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message) {
+OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message, bool origin_is_cell_center) {
+  const auto resolution = static_cast<double>(message.info.resolution);
+  const double shift = origin_is_cell_center ? -resolution / 2.0 : 0.0;
   const Lattice lattice(toSize(message.info.width, "width"), toSize(message.info.height, "height"),
-                        static_cast<double>(message.info.resolution), toPose2(message.info.origin));
+                        resolution, toPose2(message.info.origin) * Pose2{shift, shift, 0.0});
   return OccupancyGrid(lattice, message.data);
 }
 

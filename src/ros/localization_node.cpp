@@ -19,7 +19,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       tf_listener_(tf_),
       odometry_(tf_, options_.odom_frame_id, options_.base_frame_id),
       publisher_(node, private_node, options_),
-      pose_keeper_(private_node, options_.save_pose_rate),
+      pose_keeper_(private_node, options_.save_pose_rate, options_.pose_file),
       scans_(
           node, tf_, options_,
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
@@ -52,7 +52,8 @@ bool LocalizationNode::onMap(const nav_msgs::OccupancyGrid& message) {
              options_.global_frame_id.c_str());
   }
   try {
-    const auto map = std::make_shared<const OccupancyGrid>(toGrid(message));
+    const auto map =
+        std::make_shared<const OccupancyGrid>(toGrid(message, options_.map_origin_is_cell_center));
     if (localizer_) {
       localizer_->setMap(map);
     } else {

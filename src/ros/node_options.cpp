@@ -4,9 +4,11 @@
 #include <ros/console.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "adaptive_localization/localizer.hpp"
 #include "conversions.hpp"
+#include "pose_file.hpp"
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
@@ -31,6 +33,17 @@ NodeOptions readNodeOptions(const Parameters& parameters) {
 }
 
 std::optional<Prior> startOf(const NodeOptions& options) {
+  if (!options.pose_file.empty()) {
+    try {
+      if (const auto pose = readPoseFile(options.pose_file)) {
+        ROS_INFO("Starting at (%.3f, %.3f) m, %.1f deg, kept in %s", pose->mean.x, pose->mean.y,
+                 pose->mean.theta * 180.0 / kPi, options.pose_file.c_str());
+        return *pose;
+      }
+    } catch (const std::invalid_argument& error) {
+      ROS_WARN("Pose file ignored: %s", error.what());
+    }
+  }
   if (options.start == "wait") return std::nullopt;
   if (options.start == "anywhere") return Anywhere{};
   return options.initialPose();

@@ -33,10 +33,12 @@ struct NodeOptions {
   double scan_time_offset{0.0};
   bool use_map_topic{false};
   bool first_map_only{false};
+  bool map_origin_is_cell_center{false};
   bool tf_broadcast{true};
   double transform_tolerance{0.1};
   double tf_rate{0.0};
   double save_pose_rate{0.5};
+  std::string pose_file;
   bool force_update_after_initialpose{false};
   bool force_update_after_set_map{false};
   double std_warn_level_x{0.2};
@@ -62,6 +64,8 @@ struct NodeOptions {
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");
+    option("map_origin_is_cell_center", map_origin_is_cell_center,
+           "The map's origin is the centre of its first cell, not its corner: for maps made so.");
     option("tf_broadcast", tf_broadcast, "Send the transform from map to odom.");
     option("transform_tolerance", transform_tolerance, Range{0, 60}, "s",
            "How far the transform is dated into the future.");
@@ -69,6 +73,8 @@ struct NodeOptions {
            "Rate of the transform from map to odom; 0: one with each scan.");
     option("save_pose_rate", save_pose_rate, Range{-1, 1000}, "Hz",
            "How often the pose is kept in initial_pose_* and initial_cov_*; not above 0: never.");
+    option("pose_file", pose_file, Choices{},
+           "File in which the pose is kept too; where it exists, the robot starts there.");
     option("force_update_after_initialpose", force_update_after_initialpose,
            "After an initial pose, use a second scan whether the robot moved or not.");
     option("force_update_after_set_map", force_update_after_set_map,

@@ -4,17 +4,18 @@
 #include <ros/node_handle.h>
 
 #include <optional>
+#include <string>
 
 #include "adaptive_localization/filter.hpp"
 
 namespace adaptive_localization {
 
-/// Keeps the pose on the parameter server, in initial_pose_* and initial_cov_*, so that a node
-/// started again begins where this one ended.
+/// Keeps the pose on the parameter server, in initial_pose_* and initial_cov_*, and
+/// in a file if there is one, so that a node started again begins where this one ended.
 class PoseKeeper {
  public:
-  /// `rate` in Hz; not above 0: keeps nothing.
-  PoseKeeper(const ros::NodeHandle& private_node, double rate);
+  /// `rate` in Hz; not above 0: keeps nothing. `file`: written too, unless empty.
+  PoseKeeper(const ros::NodeHandle& private_node, double rate, std::string file);
 
   void setRate(double rate) { rate_ = rate; }
 
@@ -25,8 +26,11 @@ class PoseKeeper {
   void write() const;
 
  private:
+  void writeFile() const;
+
   ros::NodeHandle node_;
   double rate_;
+  std::string file_;
   std::optional<Gaussian2> pose_;
   ros::Time written_;
 };

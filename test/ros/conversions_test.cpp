@@ -88,5 +88,17 @@ TEST(Conversions, MapWithWrongSizesIsRefused) {
   EXPECT_THROW(toGrid(nav_msgs::OccupancyGrid()), std::invalid_argument);
 }
 
+TEST(ToGrid, TheOriginIsTheFirstCellsCornerOrItsCentre) {
+  nav_msgs::OccupancyGrid message;
+  message.info.width = message.info.height = 2;
+  message.info.resolution = 0.5F;
+  message.info.origin = toPoseMessage({1.0, 2.0, kPi / 2});
+  message.data = {0, 100, 37, -1};
+  EXPECT_NEAR(toGrid(message).lattice().origin().x, 1.0, 1e-9);
+  const Pose2 shifted = toGrid(message, true).lattice().origin();
+  EXPECT_NEAR(shifted.x, 1.25, 1e-9);
+  EXPECT_NEAR(shifted.y, 1.75, 1e-9);
+}
+
 }  // namespace
 }  // namespace adaptive_localization
