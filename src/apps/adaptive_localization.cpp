@@ -4,10 +4,18 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
 
+#include "../ros/bag_player.hpp"
 #include "../ros/localization_node.hpp"
 
 namespace {
+
+constexpr auto kUsage =
+    "usage: adaptive_localization [--run-from-bag BAG [--global-localization]]\n"
+    "       with ROS's own arguments: topic:=other_topic _parameter:=value __name:=name\n";
 
 volatile std::sig_atomic_t stop_requested = 0;
 
@@ -21,13 +29,25 @@ void onSignal(int signal) {
 int main(int argc, char** argv) {
   // roscpp's own handler would close the connection to the master before the pose is kept.
   ros::init(argc, argv, "adaptive_localization", ros::init_options::NoSigintHandler);
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool from_bag = (arguments.size() == 2 || arguments.size() == 3) &&
+                        arguments[0] == "--run-from-bag" &&
+                        (arguments.size() == 2 || arguments[2] == "--global-localization");
+  if (!arguments.empty() && !from_bag) {
+    std::cerr << kUsage;
+    return EXIT_FAILURE;
+  }
   const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   try {
     adaptive_localization::LocalizationNode localization(node, ros::NodeHandle("~"));
-    while (ros::ok() && !stop_requested) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+    const auto go_on = [] { return ros::ok() && !stop_requested; };
+    if (from_bag) {
+      if (arguments.size() == 3) localization.localizeAnywhere();
+      adaptive_localization::playBag(arguments[1], localization, go_on);
+    } else {
+      while (go_on()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }
     localization.writePose();
   } catch (const std::exception& error) {

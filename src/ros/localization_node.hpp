@@ -32,6 +32,14 @@ class LocalizationNode {
   /// Keeps the pose for the next start.
   void writePose() const { pose_keeper_.write(); }
 
+  /// For a bag in place of topics.
+  bool hasMap() const { return localizer_ != nullptr; }
+  tf2_ros::Buffer& tf() { return tf_; }
+  bool hearsScansOn(const std::string& topic) const { return scans_.hears(topic); }
+  void add(const sensor_msgs::LaserScan::ConstPtr& scan) { scans_.add(scan); }
+  void localizeAnywhere() { start(Anywhere{}); }
+  const std::optional<Localization>& answer() const { return answer_; }
+
  private:
   using Empty = std_srvs::Empty;
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;

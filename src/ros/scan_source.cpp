@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_source.hpp"
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <stdexcept>
 #include <utility>
@@ -34,6 +35,11 @@ ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOpti
   for (const auto& topic : namesIn(options.scan_topics)) {
     subscribers_.push_back(node.subscribe(topic, kQueue, &ScanSource::add, this));
   }
+}
+
+bool ScanSource::hears(const std::string& topic) const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(),
+                     [&](const ros::Subscriber& own) { return own.getTopic() == "/" + topic; });
 }
 
 void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {

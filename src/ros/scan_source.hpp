@@ -31,6 +31,9 @@ class ScanSource {
   ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOptions& options,
              Callback callback, JumpCallback on_jump);
 
+  /// Whether this is one of its topics, given without the slash in front.
+  bool hears(const std::string& topic) const;
+
   /// As if it had come on a topic.
   void add(const sensor_msgs::LaserScan::ConstPtr& message);
 

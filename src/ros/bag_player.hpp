@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "localization_node.hpp"
+
+namespace adaptive_localization {
+
+/// amcl's --run-from-bag: takes tf and scans from a bag instead of topics, as fast as it goes, and
+/// says where the robot was at the end. Topics count with and without a leading slash, /tf_static
+/// whenever it was recorded; scans are those of the node's topics or of base_scan, as amcl wants.
+/// Waits for the map first. Throws rosbag::BagException if the bag cannot be read.
+void playBag(const std::string& path, LocalizationNode& node, const std::function<bool()>& go_on);
+
+}  // namespace adaptive_localization

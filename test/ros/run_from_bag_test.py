@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""amcl's bag mode: topics with and without a leading slash, the mount in /tf_static; wrong arguments."""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+
+import roslib.packages
+import rosbag
+import rospy
+import rostest
+from nav_msgs.msg import OccupancyGrid
+from tf2_msgs.msg import TFMessage
+from toy_robot import ToyRobotCase, compose, room, transform
+
+PROGRAM = roslib.packages.find_node("adaptive_localization", "adaptive_localization")[0]
+START = (1.5, 1.0, 0.3)
+
+
+class RunFromBag(unittest.TestCase):
+    def run_node(self, *arguments):
+        environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
+        result = subprocess.run(
+            [PROGRAM] + list(arguments), env=environment, timeout=30,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        return result.returncode, result.stdout.decode()
+
+    def write_bag(self, path, prefix, scan_topic):
+        """The robot drives a curve; the last pose is returned."""
+        robot = types.SimpleNamespace(pose=START, time=rospy.Time(1000), MOUNT=ToyRobotCase.MOUNT)
+        odometry, motion = (0.0, 0.0, 0.0), (0.05, 0.0, 0.04)
+        with rosbag.Bag(path, "w") as bag:
+            fixed = transform("base_link", "laser", robot.MOUNT, robot.time)
+            for _ in range(60):
+                moving = transform("odom", "base_link", odometry, robot.time)
+                bag.write(prefix + "tf", TFMessage([moving]), robot.time)
+                bag.write(prefix + scan_topic, ToyRobotCase.scan_message(robot), robot.time)
+                last = robot.pose
+                robot.time += rospy.Duration(0.1)
+                robot.pose = compose(robot.pose, motion)
+                odometry = compose(odometry, motion)
+            bag.write(prefix + "tf_static", TFMessage([fixed]), robot.time)
+        return last
+
+    def check_final_location(self, prefix, scan_topic, *arguments):
+        maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        maps.publish(room())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "drive.bag")
+            truth = self.write_bag(path, prefix, scan_topic)
+            code, output = self.run_node(
+                "--run-from-bag", path, *arguments, "_use_map_topic:=true",
+                "_save_pose_rate:=-1", *("_initial_pose_%s:=%s" % p for p in zip("xya", START)))
+        self.assertEqual(code, 0, output)
+        self.assertRegex(output, r"Bag complete, took [0-9.]+ seconds to process")
+        found = re.search(r"Final location (\S+), (\S+), (\S+) with stamp=1005\.9", output)
+        self.assertIsNotNone(found, output)
+        for value, expected in zip(found.groups(), truth):
+            self.assertLess(abs(float(value) - expected), 0.1, output)
+
+    def test_bag_with_slashes(self):
+        self.check_final_location("/", "scan")
+
+    def test_bag_as_amcl_wants_it(self):
+        self.check_final_location("", "base_scan")
+
+    def test_missing_bag_is_one_fatal_line(self):
+        code, output = self.run_node("--run-from-bag", "/no/such.bag")
+        self.assertEqual(code, 1)
+        self.assertEqual(output.count("FATAL"), 1, output)
+        self.assertIn("/no/such.bag", output)
+
+    def test_other_arguments_show_the_usage(self):
+        for arguments in [["foo"], ["--run-from-bag"], ["--run-from-bag", "a", "--global"]]:
+            code, output = self.run_node(*arguments)
+            self.assertEqual(code, 1)
+            self.assertIn("usage: adaptive_localization", output)
+
+
+if __name__ == "__main__":
+    rospy.init_node("run_from_bag_test")
+    rostest.rosrun("adaptive_localization", "run_from_bag", RunFromBag, sys.argv)
