@@ -83,13 +83,14 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
     // evenly spread from the first beam to the last, rounded to the nearest
     const Eigen::Index i = used == beams ? k : (k * (beams - 1) + (used - 1) / 2) / (used - 1);
     const double range = message.ranges[static_cast<std::size_t>(i)];
-    if (std::isnan(range) || range <= 0.0 || range < min_range) {
-      ++scan.invalid;
-      continue;
-    }
     const double angle = i == 0
                              ? message.angle_min
                              : message.angle_min + static_cast<double>(i) * message.angle_increment;
+    const bool in_view = angle >= mount.view.low && angle <= mount.view.high;
+    if (std::isnan(range) || range <= 0.0 || range < min_range || !in_view) {
+      ++scan.invalid;
+      continue;
+    }
     const double t = static_cast<double>(i) * between_beams;
     const Pose2 T_first_now{velocity.x * t, velocity.y * t, velocity.turn * t};
     const Eigen::Vector2d direction =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "adaptive_localization/options.hpp"
@@ -21,12 +22,19 @@ struct LaserScan {
   std::vector<float> ranges;  // m; NaN invalid, inf no return
 };
 
+/// The angles between which a laser sees, in its own frame, rad.
+struct AngleLimits {
+  double low{-std::numeric_limits<double>::infinity()};
+  double high{std::numeric_limits<double>::infinity()};
+};
+
 /// Where the laser sits on the robot, seen from above: a point at p in the sensor's plane is at
 /// position + axes * p in base. For a level laser the axes are a rotation, for one mounted upside
 /// down a reflection, for a tilted one they shorten.
 struct LaserMount {
   Eigen::Vector2d position{0.0, 0.0};
   Eigen::Matrix2d axes{Eigen::Matrix2d::Identity()};
+  AngleLimits view;  // beams outside are invalid: they see the robot itself, say
 
   static LaserMount level(const Pose2& T_base_sensor);
   static LaserMount upsideDown(const Pose2& T_base_sensor);

@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -19,23 +20,37 @@ LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
   if (laser.known) return Knowledge::kKnown;
   if (laser.first_seen.isZero()) laser.first_seen = ros::WallTime::now();
   if (tf_.canTransform(base_frame_, frame, ros::Time(0))) {
-    laser.known = true;
-    say(frame, "tf");
+    know(frame, laser, "tf");
     return Knowledge::kKnown;
   }
   // tf's latched static transforms may still be on their way.
   if (ros::WallTime::now() - laser.first_seen < ros::WallDuration(1.0)) return Knowledge::kNotYet;
   if (!std::exchange(laser.urdf_asked, true) && takeFromUrdf(frame)) {
-    laser.known = true;
-    say(frame, "robot_description, as tf does not have it");
+    know(frame, laser, "robot_description, as tf does not have it");
     return Knowledge::kKnown;
   }
   return Knowledge::kUnknown;
 }
 
-bool LaserMounts::takeFromUrdf(const std::string& frame) {
+std::string LaserMounts::robotDescription() const {
   std::string key, urdf;
-  if (!node_.searchParam("robot_description", key) || !node_.getParam(key, urdf)) return false;
+  if (node_.searchParam("robot_description", key)) node_.getParam(key, urdf);
+  return urdf;
+}
+
+void LaserMounts::know(const std::string& frame, Laser& laser, const char* source) {
+  laser.known = true;
+  say(frame, source);
+  laser.view = viewFromUrdf(robotDescription(), frame);
+  if (std::isfinite(laser.view.low)) {
+    ROS_INFO("Laser '%s' sees from %.1f to %.1f deg: from robot_description", frame.c_str(),
+             laser.view.low * 180.0 / kPi, laser.view.high * 180.0 / kPi);
+  }
+}
+
+bool LaserMounts::takeFromUrdf(const std::string& frame) {
+  const std::string urdf = robotDescription();
+  if (urdf.empty()) return false;
   geometry_msgs::TransformStamped transform;
   try {
     transform.transform = toTransformMessage(mountFromUrdf(urdf, base_frame_, frame));
@@ -62,7 +77,11 @@ std::optional<LaserMount> LaserMounts::at(const std::string& frame, const ros::T
                                           std::string* why) const {
   try {
     const bool then = tf_.canTransform(base_frame_, frame, stamp);
-    return toMount(tf_.lookupTransform(base_frame_, frame, then ? stamp : ros::Time(0)).transform);
+    LaserMount mount =
+        toMount(tf_.lookupTransform(base_frame_, frame, then ? stamp : ros::Time(0)).transform);
+    const auto laser = lasers_.find(frame);
+    if (laser != lasers_.end()) mount.view = laser->second.view;
+    return mount;
   } catch (const tf2::TransformException& error) {
     *why = error.what();
     return std::nullopt;

@@ -14,6 +14,7 @@ namespace adaptive_localization {
 
 /// Where the lasers sit on the robot. tf says so; for a frame that tf does not know, the URDF in
 /// robot_description does, through its fixed joints. Says once per laser which of the two it was.
+/// The angles between which a laser sees come from robot_description, if it has them.
 class LaserMounts {
  public:
   LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame);
@@ -33,9 +34,12 @@ class LaserMounts {
     ros::WallTime first_seen;
     bool known{false};
     bool urdf_asked{false};
+    AngleLimits view;  // of robot_description
   };
 
+  std::string robotDescription() const;
   bool takeFromUrdf(const std::string& frame);
+  void know(const std::string& frame, Laser& laser, const char* source);
   void say(const std::string& frame, const char* source) const;
 
   ros::NodeHandle node_;

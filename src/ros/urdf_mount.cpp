@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf_mount.hpp"
 
+#include <tinyxml.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -40,6 +41,29 @@ Eigen::Isometry3d mountFromUrdf(const std::string& urdf, const std::string& base
     link = link->getParent();
   }
   return T_link_sensor;
+}
+
+// urdfdom's own parser of sensors wants an attribute that the URDF format does not have.
+AngleLimits viewFromUrdf(const std::string& urdf, const std::string& sensor_frame) {
+  TiXmlDocument document;
+  document.Parse(urdf.c_str());
+  TiXmlHandle robot = TiXmlHandle(&document).FirstChildElement("robot");
+  for (TiXmlElement* sensor = robot.FirstChildElement("sensor").ToElement(); sensor;
+       sensor = sensor->NextSiblingElement("sensor")) {
+    TiXmlHandle element(sensor);
+    const TiXmlElement* parent = element.FirstChildElement("parent").ToElement();
+    const char* link = parent ? parent->Attribute("link") : nullptr;
+    if (!link || sensor_frame != link) continue;
+    const TiXmlElement* sweep =
+        element.FirstChildElement("ray").FirstChildElement("horizontal").ToElement();
+    double low = 0.0;
+    double high = 0.0;
+    const bool limited = sweep && sweep->QueryDoubleAttribute("min_angle", &low) == TIXML_SUCCESS &&
+                         sweep->QueryDoubleAttribute("max_angle", &high) == TIXML_SUCCESS;
+    constexpr double kMargin = kPi / 360.0;
+    if (limited && low < high) return {low - kMargin, high + kMargin};
+  }
+  return {};
 }
 
 }  // namespace adaptive_localization

@@ -91,6 +91,17 @@ std::vector<int> used(int n, int max_beams) {
   return numbers;
 }
 
+TEST(ToScan, TakesBeamsOutsideTheLasersViewForInvalid) {
+  LaserMount mount;
+  mount.view = {-0.05, 0.25};
+  const Scan scan = toScan(message({1.0F, 2.0F, 3.0F, kInf}, -0.1), mount, beams(100));
+  ASSERT_EQ(scan.hits(), 2);
+  EXPECT_FLOAT_EQ(scan.range[0], 2.0F);
+  EXPECT_FLOAT_EQ(scan.range[1], 3.0F);
+  EXPECT_EQ(scan.no_return_bearing.size(), 1);
+  EXPECT_EQ(scan.invalid, 1);
+}
+
 TEST(ToScan, ThinsEvenlyFromTheFirstBeamToTheLast) {
   for (const auto& [n, max_beams] : {std::pair{181, 60}, {180, 60}, {100, 99}, {1000, 2}, {7, 3}}) {
     const std::vector<int> numbers = used(n, max_beams);

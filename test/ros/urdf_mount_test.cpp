@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace adaptive_localization {
 namespace {
@@ -55,6 +57,26 @@ TEST(UrdfMount, ErrorsSayWhatIsInTheWay) {
   EXPECT_THAT(errorOf(kRobot, "base_link", "lidar"), HasSubstr("no link 'lidar'"));
   EXPECT_THAT(errorOf(kRobot, "odom", "laser"), HasSubstr("'laser' is not mounted on 'odom'"));
   EXPECT_THAT(errorOf(kRobot, "base_link", "wheel"), HasSubstr("joint 'axle'"));
+}
+
+TEST(UrdfView, IsTheSensorsOfThatLink) {
+  std::string urdf = kRobot;
+  urdf.insert(urdf.rfind("</robot>"), R"(
+    <sensor name="camera"><parent link="plate"/><origin xyz="0 0 0"/>
+      <camera><image width="1" height="1" format="L8" hfov="1" near="0.1" far="9"/></camera></sensor>
+    <sensor name="other"><parent link="plate"/><origin xyz="0 0 0"/>
+      <ray><horizontal samples="9" resolution="1" min_angle="-3" max_angle="3"/></ray></sensor>
+    <sensor name="lms"><parent link="laser"/><origin xyz="0 0 0"/>
+      <ray><horizontal samples="9" resolution="1" min_angle="-1" max_angle="0.5"/></ray></sensor>)");
+  const AngleLimits view = viewFromUrdf(urdf, "laser");
+  EXPECT_NEAR(view.low, -1.0, 0.01);
+  EXPECT_NEAR(view.high, 0.5, 0.01);
+}
+
+TEST(UrdfView, IsUnlimitedWithoutASensor) {
+  EXPECT_TRUE(std::isinf(viewFromUrdf(kRobot, "laser").low));
+  EXPECT_TRUE(std::isinf(viewFromUrdf("", "laser").high));
+  EXPECT_TRUE(std::isinf(viewFromUrdf("<robot", "laser").high));
 }
 
 }  // namespace
