@@ -30,8 +30,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       no_motion_update_(node.advertiseService("request_nomotion_update",
                                               &LocalizationNode::onNoMotionUpdate, this)),
       set_map_(node.advertiseService("set_map", &LocalizationNode::onSetMap, this)),
+      map_builder_(node, options_, [this](const BuiltMap& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
-            [this](const auto& map) { return onMap(map); }),
+            [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
       diagnostics_(node, options_, [this] { return health(); }),
       reconfigure_(private_node, parameters_, [this](const auto& all) { return configure(all); }) {}
 
@@ -45,28 +46,10 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& par
   return all;
 }
 
-bool LocalizationNode::onMap(const nav_msgs::OccupancyGrid& message) {
-  const std::string frame = withoutLeadingSlash(message.header.frame_id);
-  if (frame != options_.global_frame_id) {
-    ROS_WARN("The map's frame is '%s', but global_frame_id is '%s'", frame.c_str(),
-             options_.global_frame_id.c_str());
-  }
-  try {
-    const auto map =
-        std::make_shared<const OccupancyGrid>(toGrid(message, options_.map_origin_is_cell_center));
-    if (localizer_) {
-      localizer_->setMap(map);
-    } else {
-      localizer_ = std::make_unique<Localizer>(parameters_, map);
-      if (prior_) start(*prior_);
-    }
-  } catch (const std::invalid_argument& error) {
-    ROS_ERROR_THROTTLE(10.0, "Map not used: %s", error.what());
-    return false;
-  }
-  ROS_INFO("Map of %u x %u cells of %.3f m", message.info.width, message.info.height,
-           static_cast<double>(message.info.resolution));
-  return true;
+void LocalizationNode::onMap(const BuiltMap& map) {
+  if (localizer_) return localizer_->setMap(map.grid, map.field);
+  localizer_ = std::make_unique<Localizer>(parameters_, map.grid, map.field);
+  if (prior_) start(*prior_);
 }
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount) {
@@ -168,7 +151,7 @@ void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
 
 bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
                                 nav_msgs::SetMap::Response& response) {
-  response.success = onMap(request.map);
+  response.success = map_builder_.build(request.map, true);
   const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
   response.success = response.success && pose;
   if (pose) start(*pose);

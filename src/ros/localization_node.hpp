@@ -13,6 +13,7 @@
 #include "adaptive_localization/localizer.hpp"
 #include "continuity.hpp"
 #include "estimate_publisher.hpp"
+#include "map_builder.hpp"
 #include "map_source.hpp"
 #include "node_diagnostics.hpp"
 #include "node_options.hpp"
@@ -23,7 +24,8 @@
 
 namespace adaptive_localization {
 
-/// The ROS node: amcl's topics, services and parameters around a Localizer. One thread, no locks.
+/// The ROS node: amcl's topics, services and parameters around a Localizer. One thread, no locks;
+/// only the distances of a new map are computed in another.
 class LocalizationNode {
  public:
   /// Throws std::invalid_argument naming key, value and range when a parameter is wrong.
@@ -44,7 +46,7 @@ class LocalizationNode {
   using Empty = std_srvs::Empty;
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
-  bool onMap(const nav_msgs::OccupancyGrid& message);
+  void onMap(const BuiltMap& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
@@ -77,6 +79,7 @@ class LocalizationNode {
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;
   ros::ServiceServer set_map_;
+  MapBuilder map_builder_;
   MapSource maps_;
   NodeDiagnostics diagnostics_;
   Reconfigure reconfigure_;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+
+#include <functional>
+#include <future>
+#include <memory>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "node_options.hpp"
+
+namespace adaptive_localization {
+
+/// A map ready for use.
+struct BuiltMap {
+  std::shared_ptr<const OccupancyGrid> grid;
+  std::shared_ptr<const DistanceField> field;
+};
+
+/// Makes maps from messages. What takes long on a huge map can be done in a thread of its own,
+/// while scans are used and transforms sent as before.
+class MapBuilder {
+ public:
+  /// Takes a map, in ROS's thread; throws std::invalid_argument if it cannot be used.
+  using User = std::function<void(const BuiltMap&)>;
+
+  MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user);
+
+  /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built; of several
+  /// the newest. False, and an error in the log, if the map cannot be used.
+  bool build(const nav_msgs::OccupancyGrid& message, bool wait);
+
+ private:
+  using Grid = std::shared_ptr<const OccupancyGrid>;
+  bool use(const BuiltMap& map);
+  void start(Grid grid);
+  void poll();
+
+  const NodeOptions& options_;
+  User user_;
+  std::future<BuiltMap> running_;
+  Grid next_;  // came while another was being built
+  ros::WallTimer timer_;
+};
+
+}  // namespace adaptive_localization
