@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""amcl's bag mode: topics with and without a leading slash, the mount in /tf_static; wrong arguments."""
+"""amcl's bag mode: topics with and without a leading slash, the mount in /tf_static; a start
+that is not known; wrong arguments."""
 import os
 import re
 import subprocess
@@ -46,7 +47,7 @@ class RunFromBag(unittest.TestCase):
             bag.write(prefix + "tf_static", TFMessage([fixed]), robot.time)
         return last
 
-    def check_final_location(self, prefix, scan_topic, *arguments):
+    def check_final_location(self, prefix, scan_topic, *arguments, initial=START):
         maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
         maps.publish(room())
         with tempfile.TemporaryDirectory() as folder:
@@ -54,7 +55,7 @@ class RunFromBag(unittest.TestCase):
             truth = self.write_bag(path, prefix, scan_topic)
             code, output = self.run_node(
                 "--run-from-bag", path, *arguments, "_use_map_topic:=true",
-                "_save_pose_rate:=-1", *("_initial_pose_%s:=%s" % p for p in zip("xya", START)))
+                "_save_pose_rate:=-1", *("_initial_pose_%s:=%s" % p for p in zip("xya", initial)))
         self.assertEqual(code, 0, output)
         self.assertRegex(output, r"Bag complete, took [0-9.]+ seconds to process")
         found = re.search(r"Final location (\S+), (\S+), (\S+) with stamp=1005\.9", output)
@@ -67,6 +68,9 @@ class RunFromBag(unittest.TestCase):
 
     def test_bag_as_amcl_wants_it(self):
         self.check_final_location("", "base_scan")
+
+    def test_bag_from_anywhere(self):
+        self.check_final_location("/", "scan", "--global-localization", initial=(7.0, 2.0, 3.0))
 
     def test_missing_bag_is_one_fatal_line(self):
         code, output = self.run_node("--run-from-bag", "/no/such.bag")
