@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "chunks.hpp"
+#include "noise.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -66,13 +66,7 @@ Eigen::Matrix3d DifferentialDrive::covariance(const Pose2& motion) const {
   const double s = std::sin(step.rot1);
   Eigen::Matrix3d jacobian;  // of (x, y, theta) by (rot1, trans, rot2)
   jacobian << -step.trans * s, c, 0.0, step.trans * c, s, 0.0, 1.0, 0.0, 1.0;
-  const Eigen::Vector3d sigma(step.sigma_rot1, step.sigma_trans, step.sigma_rot2);
-  const Eigen::Vector3d floor(options_.odom_noise_xy, options_.odom_noise_xy,
-                              options_.odom_noise_theta);
-  Eigen::Matrix3d covariance =
-      jacobian * sigma.cwiseProduct(sigma).asDiagonal() * jacobian.transpose();
-  covariance.diagonal() += floor.cwiseProduct(floor);
-  return covariance;
+  return noiseCovariance(options_, jacobian, {step.sigma_rot1, step.sigma_trans, step.sigma_rot2});
 }
 
 }  // namespace adaptive_localization

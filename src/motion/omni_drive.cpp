@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "chunks.hpp"
+#include "noise.hpp"
 
 namespace adaptive_localization {
 
@@ -54,13 +54,7 @@ Eigen::Matrix3d OmniDrive::covariance(const Pose2& motion) const {
   const double s = std::sin(step.course);
   Eigen::Matrix3d jacobian;  // of (x, y, theta) by (trans, strafe, rot)
   jacobian << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
-  const Eigen::Vector3d sigma(step.sigma_trans, step.sigma_strafe, step.sigma_rot);
-  const Eigen::Vector3d floor(options_.odom_noise_xy, options_.odom_noise_xy,
-                              options_.odom_noise_theta);
-  Eigen::Matrix3d covariance =
-      jacobian * sigma.cwiseProduct(sigma).asDiagonal() * jacobian.transpose();
-  covariance.diagonal() += floor.cwiseProduct(floor);
-  return covariance;
+  return noiseCovariance(options_, jacobian, {step.sigma_trans, step.sigma_strafe, step.sigma_rot});
 }
 
 }  // namespace adaptive_localization

@@ -49,10 +49,12 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
   if (last_frame_.empty()) return drop("its frame_id is empty");
   sensor_msgs::LaserScan::ConstPtr scan = message;
   if (options_.scan_time_offset != 0.0) {
-    const double stamp = message->header.stamp.toSec() + options_.scan_time_offset;
-    if (stamp < 0.0 || stamp >= 4294967295.0) return drop("its stamp is out of range");
     const auto shifted = boost::make_shared<sensor_msgs::LaserScan>(*message);
-    shifted->header.stamp = ros::Time(stamp);
+    try {  // in whole nanoseconds: rounded up by a few, tf would not have the stamp yet
+      shifted->header.stamp += ros::Duration(options_.scan_time_offset);
+    } catch (const std::runtime_error&) {
+      return drop("its stamp is out of range");
+    }
     scan = shifted;
   }
   if (const auto jump = stamps_.jumpTo(last_frame_, scan->header.stamp)) {

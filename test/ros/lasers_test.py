@@ -53,17 +53,20 @@ class Lasers(ToyRobotCase):
         for topics in [["front"], ["rear"], ["front", "rear"]]:
             self.forget()
             self.drive(40, topics)
+            # What is published bears the time of the measurement, not of the driver.
+            self.wait_for(lambda: self.poses and abs(self.poses[-1][0] - self.time.to_sec()) < 1e-5,
+                          "a pose at the time of the last scan")
             self.assertEqual(self.status(), "tracking", topics)
             self.assertLess(self.error(), 0.1, topics)
             self.assertGreater(len(self.poses), 30)
-            # What is published bears the time of the measurement, not of the driver.
-            self.assertAlmostEqual(self.poses[-1][0], self.time.to_sec(), places=5)
 
         # The transform comes at its rate, scans or not, and never with a stamp twice.
         self.forget()
+        begin = time.monotonic()
         time.sleep(2.0)
         stamps = [t.header.stamp for t in self.corrections]
-        self.assertTrue(36 <= len(stamps) <= 48, len(stamps))
+        rate = len(stamps) / (time.monotonic() - begin)
+        self.assertTrue(15 <= rate <= 25, rate)
         self.assertEqual(stamps, sorted(set(stamps)))
 
 

@@ -123,7 +123,7 @@ class ToyRobotCase(LocalizationCase):
     def steps(self, count, motion=(0.0, 0.0, 0.0)):
         for _ in range(count):
             self.step(motion)
-        rospy.sleep(0.1)
+        rospy.sleep(0.3)
 
     def forget(self):
         """Forgets what was received."""
