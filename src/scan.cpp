@@ -31,6 +31,18 @@ void check(const LaserScan& message) {
   }
 }
 
+/// A mount that mirrors the plane (upside down) makes the last beam the rightmost.
+void setView(const LaserScan& message, const LaserMount& mount, Scan& scan) {
+  const auto steps = static_cast<double>(message.ranges.size() - 1);
+  const double swept = steps > 0.0 ? steps * message.angle_increment : 0.0;
+  const bool mirrored = mount.axes(0, 0) * mount.axes(1, 1) < mount.axes(0, 1) * mount.axes(1, 0);
+  const bool last_is_rightmost = (swept < 0.0) != mirrored;
+  const double angle = message.angle_min + (last_is_rightmost ? swept : 0.0);
+  const Eigen::Vector2d direction = mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  scan.view_start = std::atan2(direction.y(), direction.x());
+  scan.view_width = std::min(std::abs(swept), 2.0 * kPi);
+}
+
 }  // namespace
 
 LaserMount LaserMount::level(const Pose2& T_base_sensor) {
@@ -72,6 +84,7 @@ Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions
   Scan scan;
   scan.position = mount.position;
   scan.max_range = max_range;
+  setView(message, mount, scan);
   scan.x.resize(used);
   scan.y.resize(used);
   scan.range.resize(used);

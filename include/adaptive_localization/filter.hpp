@@ -43,12 +43,16 @@ struct Estimate {
   std::vector<Mode> modes;
 };
 
-/// What a filter is made from. Map and distance field are immutable and shared.
+class Places;
+
+/// What a filter is made from. Map and distance field are immutable and shared. The places tell
+/// where in the map a scan can have been taken; they cost nothing until they are asked.
 struct FilterContext {
   std::shared_ptr<const OccupancyGrid> map;
   std::shared_ptr<const DistanceField> distance_field;
   Parameters parameters;
   std::uint64_t seed{1};
+  std::shared_ptr<Places> places = nullptr;
 };
 
 /// A localization filter, chosen by name through the FilterRegistry.

@@ -45,6 +45,8 @@ struct LaserMount {
 struct Scan {
   Eigen::Vector2d position{0.0, 0.0};  // of the sensor, in base
   double max_range{0.0};               // m
+  double view_start{0.0};              // bearing of the rightmost beam, valid or not, rad in base
+  double view_width{0.0};              // from there to the leftmost, rad
   Eigen::ArrayXf x, y;                 // end points of the hits in base, m
   Eigen::ArrayXf range, bearing;       // of the hits: m, rad in base
   Eigen::ArrayXf no_return_bearing;    // rad in base

@@ -78,16 +78,17 @@ TEST(Layers, TheSourcesAreRead) {
 
 TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {
   const std::map<std::string, std::set<std::string>> below{
-      {"top", {"top", "map", "filters"}},
+      {"top", {"top", "map", "ser", "filters"}},
       {"map", {"top", "map"}},
       {"motion", {"top", "map", "motion"}},
       {"observation", {"top", "map", "observation"}},
       {"particle", {"top", "map", "particle"}},
-      {"filters", {"top", "map", "motion", "observation", "particle", "filters"}},
+      {"ser", {"top", "map", "particle", "ser"}},
+      {"filters", {"top", "map", "motion", "observation", "particle", "ser", "filters"}},
       {"sim", {"top", "map", "sim"}},
       {"eval", {"top", "map", "eval"}},
-      {"ros", {"top", "map", "sim", "ros"}},
-      {"apps", {"top", "map", "sim", "eval", "ros"}}};
+      {"ros", {"top", "map", "ser", "sim", "ros"}},
+      {"apps", {"top", "map", "ser", "sim", "eval", "ros"}}};
   std::vector<std::string> wrong;
   for (const auto& include : includes()) {
     const auto allowed = below.find(include.layer);
@@ -106,7 +107,8 @@ TEST(Layers, ModelsDoNotKnowWhoUsesThem) {
   std::vector<std::string> wrong;
   for (const auto& include : includes()) {
     const bool is_model = include.layer == "map" || include.layer == "motion" ||
-                          include.layer == "observation" || include.layer == "particle";
+                          include.layer == "observation" || include.layer == "particle" ||
+                          include.layer == "ser";
     if (is_model && users.count(include.header)) wrong.push_back(nameOf(include));
   }
   EXPECT_THAT(wrong, IsEmpty());

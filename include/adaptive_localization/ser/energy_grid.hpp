@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/ser/range_table.hpp"
+#include "adaptive_localization/ser/scan_energy.hpp"
+
+namespace adaptive_localization {
+
+struct EnergyGridOptions {
+  int energy_beams{30};
+  int energy_orientations{18};
+  double energy_max_range{10.0};
+  double ser_delta{0.02};
+  double energy_grid_max_memory{200.0};
+  std::string cache_dir;
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("energy_beams", energy_beams, Range{1, kDirections}, "",
+           "Beams of a scan that its energy is made of, evenly spread (energy grid).");
+    option("energy_orientations", energy_orientations, Range{1, kDirections}, "",
+           "Headings in each cell of the energy grid; a laser that sees all round needs one.");
+    option("energy_max_range", energy_max_range, Range{0.1, 1000}, "m",
+           "Ranges are cut off here for energies and for the global search.");
+    option("ser_delta", ser_delta, Range{0, 1}, "",
+           "Poses whose energy differs less than this are similar; widened by the share of beams "
+           "that are invalid.");
+    option("energy_grid_max_memory", energy_grid_max_memory, Range{1, 1e6}, "MB",
+           "Where the energy grid would take more, it uses every second cell of the map, or every "
+           "third, and so on.");
+    option("cache_dir", cache_dir, Choices{},
+           "Folder in which energy grids are kept from start to start; empty: nowhere.");
+  }
+};
+
+/// The energy of a scan and how far it can be trusted.
+struct ScanEnergy {
+  double value{0.0};  // in [0, 1]
+  double delta{0.0};  // half the width of its region
+};
+
+/// The energy grid of SAMCL and SA-KLD (Zhang, Zapata, Lepinay, IROS 2009; G_4D of the latter): the
+/// energy that a scan taken in each free cell with each of some headings would have, sorted.
+///
+///     E = (1 / I) sum_i (1 - z_i / z_max),     z_i at most z_max, which a no-return counts as
+///
+/// over I beams. Grid and robot use the same beams, cut-off and rule for no-returns; invalid beams
+/// are left out of the robot's mean. Poses of similar energy are two look-ups away: the Similar
+/// Energy Region (SER) is a run of the sorted list.
+class EnergyGrid {
+ public:
+  /// Throws std::invalid_argument if the map has no free cell.
+  EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
+             const EnergyGridOptions& options);
+
+  /// The same for another geometry, with the ranges of one that has the same max_range.
+  EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+             const EnergyGridOptions& options);
+
+  const ScanGeometry& geometry() const { return geometry_; }
+  const RangeTable& ranges() const { return *ranges_; }
+  std::shared_ptr<const RangeTable> sharedRanges() const { return ranges_; }
+  int orientations() const { return orientations_; }
+  double headingStep() const { return 2.0 * kPi / orientations_; }
+
+  /// Number of poses.
+  std::size_t size() const { return sorted_.size(); }
+
+  /// None if the scan has no valid beam among the energy's.
+  std::optional<ScanEnergy> energyOf(const Scan& scan) const;
+
+  /// A run of poses in the order of their energies.
+  struct Region {
+    std::size_t begin{0};
+    std::size_t end{0};
+    std::size_t size() const { return end - begin; }
+    bool isEmpty() const { return begin == end; }
+  };
+
+  /// The poses with |E - energy.value| < energy.delta.
+  Region similarTo(const ScanEnergy& energy) const;
+
+  /// Pose number i in the order of energies: of base in map, at its cell's centre and its heading.
+  Pose2 pose(std::size_t i) const;
+  double energy(std::size_t i) const;
+
+  /// Base in map for a sensor there with base's heading; jitter moves it within cell and heading
+  /// step, each in [-1/2, 1/2].
+  Pose2 pose(std::size_t i, const Eigen::Vector3d& jitter) const;
+
+  std::size_t bytes() const;
+
+ private:
+  void sort();
+  int sumOf(const std::uint8_t* ranges, int orientation) const;
+  int firstDirection(int orientation) const;
+
+  std::shared_ptr<const RangeTable> ranges_;
+  ScanGeometry geometry_;
+  int orientations_;
+  int beams_;
+  int beam_step_;  // directions from one beam of the energy to the next
+  double ser_delta_;
+  std::vector<std::uint32_t> sorted_;  // cell * orientations + orientation, by descending range sum
+  std::vector<std::uint32_t> starts_;  // [range sum]: first of sorted_ with at least that sum
+};
+
+}  // namespace adaptive_localization

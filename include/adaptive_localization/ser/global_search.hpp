@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/ser/energy_grid.hpp"
+
+namespace adaptive_localization {
+
+struct GlobalSearchOptions {
+  double search_truncation{0.5};
+  double search_margin{0.05};
+  int search_max_places{100};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option(
+        "search_truncation", search_truncation, kPositive, "m",
+        "A beam whose range is wrong by more than this counts as wrong by this (global search).");
+    option("search_margin", search_margin, kNotNegative, "m",
+           "Places whose mean range error per beam is this much above the best one's are still "
+           "candidates (global search).");
+    option("search_max_places", search_max_places, Range{1, 10000}, "",
+           "Candidates kept by the global search at the most.");
+  }
+};
+
+/// A place where a scan can have been taken.
+struct Place {
+  Pose2 T_map_base;
+  double error{0.0};  // mean truncated range error per beam, m
+};
+
+/// A pose of the search's lattice: a cell of the range table and the direction of beam 0.
+struct SearchPose {
+  std::uint32_t cell;
+  int direction;
+  int cost;  // sum over beams of the truncated range error, in steps
+};
+
+/// Where was this scan taken? Compares it with what would be seen from every free cell in every
+/// direction, and leaves none out that could matter:
+///
+///     cost(pose) = sum_i min(|z_i* - z_i|, c)
+///
+/// The energies of single directions, as intervals over a block of neighbouring cells and headings,
+/// bound the cost of all poses in the block from below (the triangle inequality that makes the SER
+/// work, per direction). Blocks are opened in the order of their bounds until no bound is below the
+/// best cost plus the margin: the same answer as looking at every pose, for a fraction of the work.
+class GlobalSearch {
+ public:
+  GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
+               std::shared_ptr<const DistanceField> field, const GlobalSearchOptions& options);
+  ~GlobalSearch();
+
+  /// Distinct places, refined below the lattice's spacing, best first.
+  std::vector<Place> find(const Scan& scan) const;
+
+  /// All lattice poses within the margin of the best, best first, ties by cell and direction.
+  std::vector<SearchPose> findPoses(const DirectionalScan& scan) const;
+
+  /// The same by looking at every pose.
+  std::vector<SearchPose> findPosesPlainly(const DirectionalScan& scan) const;
+
+  /// Poses whose cost was computed in the last search, as a share of all.
+  double visitedShare() const { return visited_share_; }
+
+  std::size_t bytes() const;
+
+ private:
+  struct Blocks;
+  int truncation() const;                         // steps
+  int margin(const DirectionalScan& scan) const;  // steps, of a whole scan
+  std::vector<std::uint16_t> bounds(const DirectionalScan& scan) const;
+
+  std::shared_ptr<const EnergyGrid> grid_;
+  std::shared_ptr<const OccupancyGrid> map_;
+  std::shared_ptr<const DistanceField> field_;
+  GlobalSearchOptions options_;
+  std::unique_ptr<Blocks> blocks_;
+  mutable double visited_share_{0.0};
+};
+
+}  // namespace adaptive_localization

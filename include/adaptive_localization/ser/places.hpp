@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/observations.hpp"
+#include "adaptive_localization/ser/energy_grid.hpp"
+#include "adaptive_localization/ser/global_search.hpp"
+
+namespace adaptive_localization {
+
+/// Where in a map a scan can have been taken: the energy grid for the laser in use, and the global
+/// search on it. One per map, shared by all that ask "where else could I be".
+///
+/// The grid is made when a scan first asks for it, and anew when the laser's geometry changes; it
+/// is taken from cache_dir if it is there.
+class Places {
+ public:
+  enum class Build { kAtOnce, kInBackground };
+
+  Places(std::shared_ptr<const OccupancyGrid> map,
+         std::shared_ptr<const DistanceField> distance_field, const EnergyGridOptions& options,
+         const GlobalSearchOptions& search, Build build = Build::kAtOnce);
+  ~Places();
+
+  /// The grid for this scan's geometry; null while it is being made in the background.
+  std::shared_ptr<const EnergyGrid> energyGrid(const Scan& scan);
+
+  /// The places where the scan can have been taken, most likely first; empty while the grid is
+  /// being made and for a scan without hits. The answer to the same scan again is remembered.
+  const std::vector<Place>& search(const Observations& observations);
+
+  /// What there was to say since last asked: damaged cache files, coarser grids.
+  std::vector<std::string> takeWarnings();
+
+ private:
+  struct Entry {
+    ScanGeometry geometry;
+    std::shared_ptr<const EnergyGrid> grid;
+    std::shared_ptr<const GlobalSearch> search;
+  };
+  Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges) const;
+  std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
+  const Entry* entryFor(const Scan& scan);
+  void keep(Entry entry);
+
+  std::shared_ptr<const OccupancyGrid> map_;
+  std::shared_ptr<const DistanceField> distance_field_;
+  EnergyGridOptions options_;
+  GlobalSearchOptions search_options_;
+  Build build_;
+  std::vector<Entry> entries_;
+  std::vector<std::string> warnings_;
+  double searched_stamp_;
+  std::vector<Place> found_;
+  std::future<Entry> building_;  // last, so that it ends before what it reads
+};
+
+}  // namespace adaptive_localization

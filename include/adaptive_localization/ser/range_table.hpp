@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/ser/scan_energy.hpp"
+
+namespace adaptive_localization {
+
+/// Expected ranges from the centre of each free cell in each direction, one byte each: what would
+/// be ray casting, looked up.
+///
+/// Made by sweeping each direction once over the whole map: the digital line through a cell's
+/// neighbour goes on where its own does, so that range(cell) = range(neighbour) + step unless there
+/// is an obstacle in between. O(directions x cells), whatever the range. Lines cross cells side by
+/// side (never corner to corner), so they do not slip through walls that are one cell thin and
+/// slanted. Unknown cells are transparent, as in RayCaster.
+class RangeTable {
+ public:
+  static constexpr std::size_t kStride =
+      192;  // bytes per cell: kDirections and padding, which is 0
+
+  /// Every `spacing`-th cell of the map in x and y. Throws std::invalid_argument if the map has no
+  /// free cell.
+  RangeTable(const OccupancyGrid& map, double max_range, int spacing = 1);
+
+  const Lattice& lattice() const { return lattice_; }  // of the map
+  double maxRange() const { return max_range_; }
+  double metresPerStep() const { return max_range_ / kNoReturn; }
+  int spacing() const { return spacing_; }
+
+  /// Number of cells with ranges.
+  std::size_t size() const { return cells_.size(); }
+  Cell cell(std::size_t i) const { return lattice_.cell(cells_[i]); }
+  Eigen::Vector2d centre(std::size_t i) const { return lattice_.centre(cell(i)); }
+
+  /// kDirections ranges in steps; direction d is d * kDirectionStep from the lattice's x axis.
+  const std::uint8_t* ranges(std::size_t i) const { return ranges_.data() + i * kStride; }
+
+  /// Bytes of memory.
+  std::size_t bytes() const;
+
+ private:
+  Lattice lattice_;
+  double max_range_;
+  int spacing_;
+  std::vector<std::uint32_t> cells_;  // indices of the lattice, ascending
+  std::vector<std::uint8_t> ranges_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+/// How finely directions are told apart where ranges are tabulated: steps of 2 degrees.
+constexpr int kDirections = 180;
+constexpr double kDirectionStep = 2.0 * kPi / kDirections;
+
+/// Ranges in steps of max_range / 255, so that one byte holds one; 255 is "nothing before
+/// max_range".
+constexpr int kNoReturn = 255;
+
+/// Which beams a robot's laser has, in whole directions: beam k points `first + k` directions to
+/// the left of the robot's front, and `offset` rad more, k < count.
+struct ScanGeometry {
+  Eigen::Vector2d position{0.0, 0.0};  // of the sensor, in base, m
+  double max_range{0.0};               // m
+  double offset{0.0};                  // rad, in [0, kDirectionStep)
+  int first{0};
+  int count{0};
+
+  bool operator==(const ScanGeometry& other) const;
+
+  /// Heading of base, rad, if beam 0 points into a direction of the map's lattice.
+  double headingOf(int direction_of_beam_0) const;
+};
+
+/// The geometry of a scan, with ranges cut off at max_range at the most.
+ScanGeometry geometryOf(const Scan& scan, double max_range);
+
+/// A scan with one range per direction, in steps; -1 where no valid beam is near.
+struct DirectionalScan {
+  std::array<std::int16_t, kDirections> range;  // [beam]
+  int valid{0};                                 // beams that are not -1
+};
+
+DirectionalScan toDirections(const Scan& scan, const ScanGeometry& geometry);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/energy_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "adaptive_localization/parallel.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A laser that sees all round sees the same in all headings.
+int orientationsFor(const ScanGeometry& geometry, const EnergyGridOptions& options) {
+  return geometry.count == kDirections ? 1 : options.energy_orientations;
+}
+
+/// Every how many-th cell of the map keeps the grid and the search on it within the limit.
+int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
+               const EnergyGridOptions& options) {
+  constexpr double kSearchBytes = 2.0 * RangeTable::kStride / 16.0;  // see GlobalSearch
+  const double per_cell = RangeTable::kStride + sizeof(std::uint32_t) + kSearchBytes +
+                          sizeof(std::uint32_t) * orientationsFor(geometry, options);
+  const double needed = static_cast<double>(map.countFree()) * per_cell;
+  const double limit = 1e6 * options.energy_grid_max_memory;
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(needed / limit))));
+}
+
+}  // namespace
+
+EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
+                       const EnergyGridOptions& options)
+    : EnergyGrid(std::make_shared<const RangeTable>(map, geometry.max_range,
+                                                    spacingFor(map, geometry, options)),
+                 geometry, options) {}
+
+EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+                       const EnergyGridOptions& options)
+    : ranges_(std::move(ranges)),
+      geometry_(geometry),
+      orientations_(orientationsFor(geometry, options)),
+      beams_(std::min(options.energy_beams, geometry.count)),
+      beam_step_(std::max(1, geometry.count / beams_)),
+      ser_delta_(options.ser_delta) {
+  sort();
+}
+
+/// Direction of beam 0 for a heading, in [0, kDirections).
+int EnergyGrid::firstDirection(int orientation) const {
+  return orientation * kDirections / orientations_;
+}
+
+int EnergyGrid::sumOf(const std::uint8_t* ranges, int orientation) const {
+  int sum = 0;
+  int direction = firstDirection(orientation);
+  for (int k = 0; k < beams_; ++k) {
+    sum += ranges[direction];
+    direction += beam_step_;
+    if (direction >= kDirections) direction -= kDirections;
+  }
+  return sum;
+}
+
+/// Counting sort: sums are small integers.
+void EnergyGrid::sort() {
+  const std::size_t poses = ranges_->size() * static_cast<std::size_t>(orientations_);
+  std::vector<std::uint16_t> sums(poses);
+  parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      for (int o = 0; o < orientations_; ++o) {
+        sums[i * static_cast<std::size_t>(orientations_) + static_cast<std::size_t>(o)] =
+            static_cast<std::uint16_t>(sumOf(ranges_->ranges(i), o));
+      }
+    }
+  });
+  starts_.assign(static_cast<std::size_t>(beams_ * kNoReturn) + 2, 0);
+  for (const std::uint16_t sum : sums) ++starts_[sum + 1U];
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  sorted_.resize(poses);
+  for (std::size_t i = 0; i < poses; ++i) sorted_[next[sums[i]]++] = static_cast<std::uint32_t>(i);
+}
+
+std::optional<ScanEnergy> EnergyGrid::energyOf(const Scan& scan) const {
+  const DirectionalScan beams = toDirections(scan, geometry_);
+  double sum = 0.0;
+  int valid = 0;
+  for (int k = 0; k < beams_; ++k) {
+    const int range = beams.range[static_cast<std::size_t>(k * beam_step_)];
+    if (range < 0) continue;
+    sum += range;
+    ++valid;
+  }
+  if (valid == 0) return std::nullopt;
+  const double masked = 1.0 - static_cast<double>(valid) / beams_;
+  return ScanEnergy{1.0 - sum / (valid * kNoReturn), ser_delta_ + 0.5 * masked};
+}
+
+EnergyGrid::Region EnergyGrid::similarTo(const ScanEnergy& energy) const {
+  const double most = beams_ * kNoReturn;
+  // |E - e| < delta, where E = 1 - sum / most
+  const double low = (1.0 - energy.value - energy.delta) * most;
+  const double high = (1.0 - energy.value + energy.delta) * most;
+  const auto end = static_cast<double>(starts_.size() - 1);
+  const auto first = std::clamp(std::floor(low) + 1.0, 0.0, end);
+  const auto last = std::clamp(std::ceil(high), first, end);
+  return {starts_[static_cast<std::size_t>(first)], starts_[static_cast<std::size_t>(last)]};
+}
+
+double EnergyGrid::energy(std::size_t i) const {
+  const auto after = std::upper_bound(starts_.begin(), starts_.end(), i);
+  return 1.0 - static_cast<double>(after - starts_.begin() - 1) / (beams_ * kNoReturn);
+}
+
+Pose2 EnergyGrid::pose(std::size_t i) const {
+  return pose(i, Eigen::Vector3d::Zero());
+}
+
+Pose2 EnergyGrid::pose(std::size_t i, const Eigen::Vector3d& jitter) const {
+  const auto orientations = static_cast<std::uint32_t>(orientations_);
+  const std::uint32_t cell = sorted_[i] / orientations;
+  const int orientation = static_cast<int>(sorted_[i] % orientations);
+  const double step = ranges_->lattice().resolution() * ranges_->spacing();
+  const Eigen::Vector2d sensor = ranges_->centre(cell) + step * jitter.head<2>();
+  const double turned = ranges_->lattice().origin().theta + headingStep() * jitter.z();
+  const Pose2 heading{0.0, 0.0,
+                      wrapAngle(geometry_.headingOf(firstDirection(orientation)) + turned)};
+  const Eigen::Vector2d base = sensor - heading * geometry_.position;
+  return {base.x(), base.y(), heading.theta};
+}
+
+std::size_t EnergyGrid::bytes() const {
+  return ranges_->bytes() + sizeof(std::uint32_t) * (sorted_.size() + starts_.size());
+}
+
+}  // namespace adaptive_localization

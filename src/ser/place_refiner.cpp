@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_refiner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr Eigen::Index kBeams = 90;  // looked at, of a scan that has more
+
+Eigen::Index strideFor(Eigen::Index beams) {
+  return std::max<Eigen::Index>(1, beams / kBeams);
+}
+
+}  // namespace
+
+bool areSamePlace(const Pose2& a, const Pose2& b) {
+  return distance(a, b) < 0.5 && std::abs(wrapAngle(a.theta - b.theta)) < kPi / 9.0;
+}
+
+std::vector<Place> distinctPlaces(const std::vector<Place>& places) {
+  std::vector<Place> distinct;
+  for (const Place& place : places) {
+    const auto isSame = [&](const Place& other) {
+      return areSamePlace(place.T_map_base, other.T_map_base);
+    };
+    if (std::none_of(distinct.begin(), distinct.end(), isSame)) distinct.push_back(place);
+  }
+  return distinct;
+}
+
+PlaceRefiner::PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
+                           const Scan& scan, double max_range, double truncation)
+    : ray_caster_(std::move(map)),
+      field_(field),
+      scan_(scan),
+      max_range_(max_range),
+      truncation_(truncation) {}
+
+double PlaceRefiner::misfit(const Pose2& T_map_base) const {
+  double sum = 0.0;
+  const double c = std::cos(T_map_base.theta);
+  const double s = std::sin(T_map_base.theta);
+  for (Eigen::Index i = 0; i < scan_.x.size(); i += strideFor(scan_.x.size())) {
+    const double x = scan_.x[i];
+    const double y = scan_.y[i];
+    const Eigen::Vector2d hit(T_map_base.x + c * x - s * y, T_map_base.y + s * x + c * y);
+    sum += std::min(field_.at(hit), truncation_);
+  }
+  return sum;
+}
+
+Place PlaceRefiner::refine(Pose2 pose) const {
+  double step = std::max(0.04, 0.5 * field_.lattice().resolution());  // m
+  double turn = 0.5 * kDirectionStep;                                 // rad
+  double best = misfit(pose);
+  while (step > 0.005) {
+    const Pose2 moves[] = {{step, 0, 0},  {-step, 0, 0}, {0, step, 0},
+                           {0, -step, 0}, {0, 0, turn},  {0, 0, -turn}};
+    bool better = false;
+    for (const Pose2& move : moves) {
+      const Pose2 moved{pose.x + move.x, pose.y + move.y, wrapAngle(pose.theta + move.theta)};
+      const double value = misfit(moved);
+      if (value >= best) continue;
+      best = value;
+      pose = moved;
+      better = true;
+    }
+    if (better) continue;
+    step *= 0.5;
+    turn *= 0.5;
+  }
+  return {pose, error(pose)};
+}
+
+double PlaceRefiner::error(const Pose2& T_map_base) const {
+  const Eigen::Vector2d sensor = T_map_base * scan_.position;
+  double sum = 0.0;
+  int count = 0;
+  const auto add = [&](double bearing, double range) {
+    const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + bearing)};
+    const double expected = ray_caster_.range(ray, max_range_);
+    sum += std::min(std::abs(expected - std::min(range, max_range_)), truncation_);
+    ++count;
+  };
+  const Eigen::Index stride = strideFor(scan_.range.size() + scan_.no_return_bearing.size());
+  for (Eigen::Index i = 0; i < scan_.range.size(); i += stride) {
+    add(scan_.bearing[i], scan_.range[i]);
+  }
+  for (Eigen::Index i = 0; i < scan_.no_return_bearing.size(); i += stride) {
+    add(scan_.no_return_bearing[i], max_range_);
+  }
+  return count > 0 ? sum / count : truncation_;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/ser/global_search.hpp"
+
+namespace adaptive_localization {
+
+/// Half a metre and 20 degrees: nearer poses are one place.
+bool areSamePlace(const Pose2& a, const Pose2& b);
+
+/// The first of each group of places that are one.
+std::vector<Place> distinctPlaces(const std::vector<Place>& places);
+
+/// Moves a pose to where the scan fits the map best nearby, and judges it by exact ranges.
+class PlaceRefiner {
+ public:
+  PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
+               const Scan& scan, double max_range, double truncation);
+
+  /// Pattern search (Hooke and Jeeves 1961) for the least sum of min(d, truncation) over hits, d
+  /// the distance to the nearest obstacle, to a centimetre and a quarter of a degree.
+  Place refine(Pose2 T_map_base) const;
+
+  /// Mean over beams of min(|z* - z|, truncation), z* by ray casting, both cut off at max_range.
+  double error(const Pose2& T_map_base) const;
+
+ private:
+  double misfit(const Pose2& T_map_base) const;
+
+  RayCaster ray_caster_;
+  const DistanceField& field_;
+  const Scan& scan_;
+  double max_range_;
+  double truncation_;
+};
+
+}  // namespace adaptive_localization

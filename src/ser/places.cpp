@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/places.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr std::size_t kKept = 4;  // grids, for robots with several lasers
+
+/// Drivers alternate between 180 and 181 beams, mounts move a little: a grid made for one does for
+/// the other.
+bool suits(const ScanGeometry& grid, const ScanGeometry& scan) {
+  const double turned = grid.headingOf(0) - scan.headingOf(0);
+  return (grid.position - scan.position).norm() < 0.02 && grid.max_range == scan.max_range &&
+         std::abs(wrapAngle(turned)) < 0.5 * kDirectionStep &&
+         std::abs(grid.count - scan.count) <= 2;
+}
+
+}  // namespace
+
+Places::Places(std::shared_ptr<const OccupancyGrid> map,
+               std::shared_ptr<const DistanceField> distance_field,
+               const EnergyGridOptions& options, const GlobalSearchOptions& search, Build build)
+    : map_(std::move(map)),
+      distance_field_(std::move(distance_field)),
+      options_(options),
+      search_options_(search),
+      build_(build),
+      searched_stamp_(std::numeric_limits<double>::quiet_NaN()) {}
+
+Places::~Places() = default;
+
+/// Only reads what does not change: may run in another thread.
+Places::Entry Places::make(const ScanGeometry& geometry,
+                           std::shared_ptr<const RangeTable> ranges) const {
+  Entry entry;
+  entry.geometry = geometry;
+  entry.grid = ranges ? std::make_shared<const EnergyGrid>(std::move(ranges), geometry, options_)
+                      : std::make_shared<const EnergyGrid>(*map_, geometry, options_);
+  entry.search =
+      std::make_shared<const GlobalSearch>(entry.grid, map_, distance_field_, search_options_);
+  return entry;
+}
+
+std::shared_ptr<const RangeTable> Places::rangesFor(const ScanGeometry& geometry) const {
+  for (const Entry& entry : entries_) {
+    if (entry.geometry.max_range == geometry.max_range) return entry.grid->sharedRanges();
+  }
+  return nullptr;
+}
+
+void Places::keep(Entry entry) {
+  const RangeTable& ranges = entry.grid->ranges();
+  if (ranges.spacing() > 1 && entries_.empty()) {
+    warnings_.push_back("energy grid: uses one cell of " + std::to_string(ranges.spacing()) +
+                        " by " + std::to_string(ranges.spacing()) +
+                        " to keep within energy_grid_max_memory, which is " +
+                        std::to_string(static_cast<int>(options_.energy_grid_max_memory)) + " MB");
+  }
+  if (entries_.size() == kKept) entries_.erase(entries_.begin());
+  entries_.push_back(std::move(entry));
+}
+
+const Places::Entry* Places::entryFor(const Scan& scan) {
+  if (building_.valid() &&
+      building_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    keep(building_.get());
+  }
+  const ScanGeometry geometry = geometryOf(scan, options_.energy_max_range);
+  for (const Entry& entry : entries_) {
+    if (suits(entry.geometry, geometry)) return &entry;
+  }
+  if (building_.valid()) return nullptr;
+  auto ranges = rangesFor(geometry);
+  if (build_ == Build::kAtOnce) {
+    keep(make(geometry, std::move(ranges)));
+    return &entries_.back();
+  }
+  building_ =
+      std::async(std::launch::async, [this, geometry, ranges] { return make(geometry, ranges); });
+  return nullptr;
+}
+
+std::shared_ptr<const EnergyGrid> Places::energyGrid(const Scan& scan) {
+  const Entry* entry = entryFor(scan);
+  return entry ? entry->grid : nullptr;
+}
+
+const std::vector<Place>& Places::search(const Observations& observations) {
+  if (observations.stamp == searched_stamp_) return found_;
+  found_.clear();
+  const Entry* entry = entryFor(observations.scan);
+  if (!entry) return found_;
+  found_ = entry->search->find(observations.scan);
+  searched_stamp_ = observations.stamp;
+  return found_;
+}
+
+std::vector<std::string> Places::takeWarnings() {
+  return std::exchange(warnings_, {});
+}
+
+}  // namespace adaptive_localization

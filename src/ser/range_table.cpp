@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/range_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "adaptive_localization/parallel.hpp"
+#include "sweep.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr std::uint32_t kNoCell = 0xFFFFFFFF;
+constexpr double kPlanesMemory = 64e6;  // bytes, while a table is being made
+
+/// Cells of a box whose lattice indices are divisible by the spacing, as a lattice of their own.
+class SpacedBox {
+ public:
+  SpacedBox(const CellBox& box, int spacing)
+      : box_(box), spacing_(spacing), first_x_(remainder(box.x)), first_y_(remainder(box.y)) {
+    width_ = (box.width - first_x_ + spacing - 1) / spacing;
+    height_ = (box.height - first_y_ + spacing - 1) / spacing;
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int firstX() const { return first_x_; }
+  int firstY() const { return first_y_; }
+  Cell cell(int x, int y) const {
+    return {box_.x + first_x_ + x * spacing_, box_.y + first_y_ + y * spacing_};
+  }
+
+ private:
+  int remainder(int first) const { return (spacing_ - first % spacing_) % spacing_; }
+
+  CellBox box_;
+  int spacing_, first_x_, first_y_;
+  int width_{0}, height_{0};
+};
+
+/// Directions in which x is the faster axis, or y.
+std::vector<int> directionsWith(bool x_is_faster) {
+  std::vector<int> directions;
+  for (int d = 0; d < kDirections; ++d) {
+    const double angle = d * kDirectionStep;
+    if ((std::abs(std::cos(angle)) >= std::abs(std::sin(angle))) == x_is_faster) {
+      directions.push_back(d);
+    }
+  }
+  return directions;
+}
+
+}  // namespace
+
+/// Sweeps a few directions at a time into planes, and deals the planes out to the cells.
+class RangeTableBuilder {
+ public:
+  RangeTableBuilder(const OccupancyGrid& map, double max_range, int spacing)
+      : map_(map), box_(knownCells(map)), spaced_(box_, spacing), spacing_(spacing) {
+    scale_ = static_cast<float>(map.lattice().resolution() / max_range * kNoReturn);
+  }
+
+  void build(std::vector<std::uint32_t>& cells, std::vector<std::uint8_t>& ranges) {
+    number_.assign(planeSize(), kNoCell);
+    for (int y = 0; y < spaced_.height(); ++y) {
+      for (int x = 0; x < spaced_.width(); ++x) {
+        const Cell cell = spaced_.cell(x, y);
+        if (!map_.isFree(cell)) continue;
+        number_[at(x, y, spaced_.width())] = static_cast<std::uint32_t>(cells.size());
+        cells.push_back(static_cast<std::uint32_t>(map_.lattice().index(cell)));
+      }
+    }
+    ranges.assign(cells.size() * RangeTable::kStride, 0);
+    for (const bool x_is_faster : {true, false}) sweepAll(x_is_faster, ranges.data());
+  }
+
+ private:
+  static std::size_t at(int column, int row, int width) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+  std::size_t planeSize() const { return at(0, spaced_.height(), spaced_.width()); }
+
+  void sweepAll(bool x_is_faster, std::uint8_t* ranges) {
+    const SweepMap lines = sweepMapOf(map_, box_, x_is_faster);
+    const std::vector<int> directions = directionsWith(x_is_faster);
+    const auto at_once = std::clamp<std::size_t>(
+        static_cast<std::size_t>(kPlanesMemory / static_cast<double>(planeSize() + 1)), 1, 32);
+    std::vector<std::uint8_t> planes(at_once * planeSize());
+    for (std::size_t first = 0; first < directions.size(); first += at_once) {
+      const std::size_t count = std::min(at_once, directions.size() - first);
+      parallelFor(count, 1, [&](const Chunk& chunk) {
+        std::uint8_t* plane = planes.data() + chunk.begin * planeSize();
+        sweepOne(lines, directions[first + chunk.begin], x_is_faster, plane);
+      });
+      dealOut({directions.data() + first, count}, planes, x_is_faster, ranges);
+    }
+  }
+
+  void sweepOne(const SweepMap& lines, int direction, bool x_is_faster, std::uint8_t* plane) const {
+    const double angle = direction * kDirectionStep;
+    const double du = x_is_faster ? std::cos(angle) : std::sin(angle);
+    const double dv = x_is_faster ? std::sin(angle) : std::cos(angle);
+    Sweep request;
+    request.sense = du > 0.0 ? 1 : -1;
+    request.slope = std::clamp(dv / std::abs(du), -1.0, 1.0);
+    request.scale = scale_;
+    request.spacing = spacing_;
+    request.first_u = x_is_faster ? spaced_.firstX() : spaced_.firstY();
+    request.first_v = x_is_faster ? spaced_.firstY() : spaced_.firstX();
+    request.steps = plane;
+    request.pitch = static_cast<std::size_t>(x_is_faster ? spaced_.height() : spaced_.width());
+    sweep(lines, request);
+  }
+
+  struct Directions {
+    const int* begin;
+    std::size_t count;
+  };
+
+  /// Tile by tile, so that planes of columns are read while they are in the cache.
+  void dealOut(const Directions& directions, const std::vector<std::uint8_t>& planes,
+               bool planes_are_columns, std::uint8_t* ranges) const {
+    constexpr int kTile = 32;
+    const int tiles_x = (spaced_.width() + kTile - 1) / kTile;
+    const int tiles_y = (spaced_.height() + kTile - 1) / kTile;
+    const auto tiles = static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>(tiles_y);
+    parallelFor(tiles, 1, [&](const Chunk& chunk) {
+      const int left = static_cast<int>(chunk.begin) % tiles_x * kTile;
+      const int top = static_cast<int>(chunk.begin) / tiles_x * kTile;
+      const int right = std::min(left + kTile, spaced_.width());
+      const int bottom = std::min(top + kTile, spaced_.height());
+      for (std::size_t k = 0; k < directions.count; ++k) {
+        const std::uint8_t* plane = planes.data() + k * planeSize();
+        for (int y = top; y < bottom; ++y) {
+          for (int x = left; x < right; ++x) {
+            const std::uint32_t number = number_[at(x, y, spaced_.width())];
+            if (number == kNoCell) continue;
+            ranges[number * RangeTable::kStride + static_cast<std::size_t>(directions.begin[k])] =
+                plane[planes_are_columns ? at(y, x, spaced_.height()) : at(x, y, spaced_.width())];
+          }
+        }
+      }
+    });
+  }
+
+  const OccupancyGrid& map_;
+  CellBox box_;
+  SpacedBox spaced_;
+  int spacing_;
+  float scale_;
+  std::vector<std::uint32_t> number_;  // of each spaced cell, kNoCell where it is not free
+};
+
+RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing)
+    : lattice_(map.lattice()), max_range_(max_range), spacing_(spacing) {
+  if (!(max_range > 0.0) || spacing < 1) {
+    throw std::invalid_argument("range table: got max_range " + std::to_string(max_range) +
+                                " and spacing " + std::to_string(spacing) +
+                                ", expected a positive one and at least 1");
+  }
+  RangeTableBuilder(map, max_range, spacing).build(cells_, ranges_);
+  if (cells_.empty() && spacing > 1) *this = RangeTable(map, max_range, 1);
+  if (cells_.empty()) throw std::invalid_argument("map: got no free cell, expected at least one");
+}
+
+std::size_t RangeTable::bytes() const {
+  return ranges_.size() + cells_.size() * sizeof(std::uint32_t);
+}
+
+}  // namespace adaptive_localization

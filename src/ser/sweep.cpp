@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr float kFree = std::numeric_limits<float>::infinity();
+
+/// From one line to the next the digital line advances by `shift` (-1, 0, 1) in v; on a slanted
+/// step it passes through one more cell. Distances are measured along the ray, in cells, from where
+/// it leaves the middle of the first line.
+struct LineStep {
+  int shift;
+  bool side_is_on_this_line;  // the cell passed on a slanted step: on this line or on the next
+  float length;               // of the whole step
+  float to_next;              // where the next line's cell is entered
+  float to_side;              // where the cell in between is entered
+};
+
+/// The step from line t to t + 1 of the digital line v = floor(slope t + 1/2).
+LineStep stepAfter(int t, double slope) {
+  const double length = std::sqrt(1.0 + slope * slope);
+  const double now = std::floor(slope * t + 0.5);
+  const int shift = static_cast<int>(std::floor(slope * (t + 1) + 0.5) - now);
+  LineStep step{shift, false, static_cast<float>(length), static_cast<float>(0.5 * length), 0.0F};
+  if (shift == 0) return step;
+  const double crossing = (now + 0.5 * shift) / slope - t;  // of the border between v and v + shift
+  step.side_is_on_this_line = crossing < 0.5;
+  step.to_side = static_cast<float>(std::min(crossing, 0.5) * length);
+  step.to_next = static_cast<float>(std::max(crossing, 0.5) * length);
+  return step;
+}
+
+/// What is seen from the cells of a line, from what is seen from those of the next.
+inline __attribute__((always_inline)) void stepBackBody(const LineStep& step, const float* here,
+                                                        const float* next, const float* seen,
+                                                        int length, float* result) {
+  const float* ahead = next + step.shift;
+  const float* seen_ahead = seen + step.shift;
+  if (step.shift == 0) {
+    for (int v = 0; v < length; ++v) {
+      result[v] = std::min(seen_ahead[v] + step.length, std::max(ahead[v], step.to_next));
+    }
+    return;
+  }
+  const float* side = step.side_is_on_this_line ? here + step.shift : next;
+  for (int v = 0; v < length; ++v) {
+    const float far = std::min(seen_ahead[v] + step.length, std::max(ahead[v], step.to_next));
+    result[v] = std::min(far, std::max(side[v], step.to_side));
+  }
+}
+
+inline __attribute__((always_inline)) void roundBody(const float* seen, int length, float scale,
+                                                     std::uint8_t* steps) {
+  for (int v = 0; v < length; ++v) {
+    steps[v] = static_cast<std::uint8_t>(std::min(seen[v] * scale + 0.5F, 255.0F));
+  }
+}
+
+using StepBack = void (*)(const LineStep&, const float*, const float*, const float*, int, float*);
+using Round = void (*)(const float*, int, float, std::uint8_t*);
+
+void stepBackPortable(const LineStep& step, const float* here, const float* next, const float* seen,
+                      int length, float* result) {
+  stepBackBody(step, here, next, seen, length, result);
+}
+void roundPortable(const float* seen, int length, float scale, std::uint8_t* steps) {
+  roundBody(seen, length, scale, steps);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void stepBackAvx2(const LineStep& step, const float* here,
+                                                  const float* next, const float* seen, int length,
+                                                  float* result) {
+  stepBackBody(step, here, next, seen, length, result);
+}
+__attribute__((target("avx2"))) void roundAvx2(const float* seen, int length, float scale,
+                                               std::uint8_t* steps) {
+  roundBody(seen, length, scale, steps);
+}
+bool hasAvx2() {
+  return __builtin_cpu_supports("avx2") != 0;
+}
+const StepBack kStepBack = hasAvx2() ? stepBackAvx2 : stepBackPortable;
+const Round kRound = hasAvx2() ? roundAvx2 : roundPortable;
+#else
+constexpr StepBack kStepBack = stepBackPortable;
+constexpr Round kRound = roundPortable;
+#endif
+
+}  // namespace
+
+CellBox knownCells(const OccupancyGrid& map) {
+  const Lattice& lattice = map.lattice();
+  int low_x = lattice.width(), low_y = lattice.height(), high_x = -1, high_y = -1;
+  for (std::size_t i = 0; i < map.cells().size(); ++i) {
+    if (map.cells()[i] < 0) continue;
+    const Cell cell = lattice.cell(i);
+    low_x = std::min(low_x, cell.x);
+    low_y = std::min(low_y, cell.y);
+    high_x = std::max(high_x, cell.x);
+    high_y = std::max(high_y, cell.y);
+  }
+  if (high_x < 0) return {0, 0, 0, 0};
+  return {low_x, low_y, high_x - low_x + 1, high_y - low_y + 1};
+}
+
+SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are_columns) {
+  SweepMap result;
+  result.lines = lines_are_columns ? box.width : box.height;
+  result.length = lines_are_columns ? box.height : box.width;
+  const auto pitch = static_cast<std::size_t>(result.length + 2);
+  result.obstacle.assign(static_cast<std::size_t>(result.lines) * pitch, kFree);
+  for (int y = 0; y < box.height; ++y) {
+    for (int x = 0; x < box.width; ++x) {
+      if (!map.isOccupied({box.x + x, box.y + y})) continue;
+      const auto u = static_cast<std::size_t>(lines_are_columns ? x : y);
+      const auto v = static_cast<std::size_t>(lines_are_columns ? y : x);
+      result.obstacle[u * pitch + 1 + v] = 0.0F;
+    }
+  }
+  return result;
+}
+
+void sweep(const SweepMap& map, const Sweep& request) {
+  // one border cell at both ends, beyond which nothing is seen
+  std::vector<float> seen(static_cast<std::size_t>(map.length + 2), kFree);
+  std::vector<float> result(seen.size(), kFree);
+  std::vector<std::uint8_t> steps(static_cast<std::size_t>(map.length));
+  for (int t = map.lines - 1; t >= 0; --t) {
+    const int u = request.sense > 0 ? t : map.lines - 1 - t;
+    if (t < map.lines - 1) {
+      const LineStep step = stepAfter(t, request.slope);
+      kStepBack(step, map.line(u), map.line(u + request.sense), seen.data() + 1, map.length,
+                result.data() + 1);
+      seen.swap(result);
+    }
+    if (u % request.spacing != request.first_u) continue;
+    std::uint8_t* out =
+        request.steps + static_cast<std::size_t>(u / request.spacing) * request.pitch;
+    if (request.spacing == 1) {
+      kRound(seen.data() + 1, map.length, request.scale, out);
+      continue;
+    }
+    kRound(seen.data() + 1, map.length, request.scale, steps.data());
+    for (int v = request.first_v; v < map.length; v += request.spacing) {
+      out[v / request.spacing] = steps[static_cast<std::size_t>(v)];
+    }
+  }
+}
+
+}  // namespace adaptive_localization
