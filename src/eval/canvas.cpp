@@ -9,13 +9,12 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr int kLongSide = 1400;        // px
-constexpr int kMargin = 84;            // px, for legend and caption
-constexpr double kSurroundings = 3.0;  // m shown around the poses
-constexpr double kNarrowest = 8.0;     // m shown at least
-constexpr double kSlimmest = 0.6;      // width by height at least, so that the caption fits
-constexpr double kFarthest = 1e6;      // m; a pose further off is not drawn
-constexpr int kFractionBits = 4;       // OpenCV's sub-pixel coordinates
+constexpr int kLongSide = 1400;     // px
+constexpr int kMargin = 84;         // px, for legend and caption
+constexpr double kNarrowest = 8.0;  // m shown at least
+constexpr double kSlimmest = 0.6;   // width by height at least, so that the caption fits
+constexpr double kFarthest = 1e6;   // m; a pose further off is not drawn
+constexpr int kFractionBits = 4;    // OpenCV's sub-pixel coordinates
 const cv::Scalar kBlack(0, 0, 0);
 
 struct Box {
@@ -41,7 +40,8 @@ void putText(cv::Mat& image, const std::string& text, const cv::Point& at) {
 
 }  // namespace
 
-Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses) : margin_(kMargin) {
+Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses, double surroundings)
+    : margin_(kMargin) {
   Box box;
   for (const auto& pose : poses) {
     if (canBeDrawn(pose)) box.include(pose.x, pose.y);
@@ -52,7 +52,7 @@ Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses) : marg
     box.include(centre.x(), centre.y());
   }
   const double widest = std::max(box.right - box.left, box.top - box.bottom);
-  box.grow(std::max(kSurroundings, 0.5 * (kNarrowest - widest)));
+  box.grow(std::max(surroundings, 0.5 * (kNarrowest - widest)));
   const double lacking = kSlimmest * (box.top - box.bottom) - (box.right - box.left);
   box.left -= std::max(0.0, 0.5 * lacking);
   box.right += std::max(0.0, 0.5 * lacking);
@@ -72,13 +72,19 @@ cv::Point Canvas::pixel(const Eigen::Vector2d& point_map, int fraction_bits) con
 }
 
 void Canvas::drawMap(const OccupancyGrid& map) {
+  drawCells(map.lattice(), [&map](const Cell& cell) -> std::optional<cv::Vec3b> {
+    const unsigned char grey = map.isOccupied(cell) ? 0 : map.isFree(cell) ? 255 : 215;
+    return cv::Vec3b(grey, grey, grey);
+  });
+}
+
+void Canvas::drawCells(const Lattice& lattice, const CellColour& colour_of) {
   for (int row = margin_; row < image_.rows; ++row) {
     for (int column = 0; column < image_.cols; ++column) {
       const Eigen::Vector2d point(left_ + (column + 0.5) / pixels_per_metre_,
                                   top_ - (row - margin_ + 0.5) / pixels_per_metre_);
-      const Cell cell = map.lattice().cellAt(point);
-      const unsigned char grey = map.isOccupied(cell) ? 0 : map.isFree(cell) ? 255 : 215;
-      image_.at<cv::Vec3b>(row, column) = {grey, grey, grey};
+      const auto colour = colour_of(lattice.cellAt(point));
+      if (colour) image_.at<cv::Vec3b>(row, column) = *colour;
     }
   }
 }

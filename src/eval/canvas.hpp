@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +16,17 @@ struct LegendRow {
   cv::Scalar colour;
 };
 
+/// The colour (blue, green, red) of a cell, which may lie outside the map; none: leave it.
+using CellColour = std::function<std::optional<cv::Vec3b>(const Cell&)>;
+
 /// A picture of the part of a map that is in use, y up, with a margin above for the legend.
 class Canvas {
  public:
-  /// Shows all of the poses and the known cells around them.
-  Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses);
+  /// Shows all of the poses and what is so many metres around them.
+  Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses, double surroundings = 3.0);
 
   void drawMap(const OccupancyGrid& map);
+  void drawCells(const Lattice& lattice, const CellColour& colour_of);
   void drawPath(const std::vector<Pose2>& poses, const cv::Scalar& colour, int thickness);
   void drawDot(const Pose2& pose, const cv::Scalar& colour);
   void drawScaleBar();

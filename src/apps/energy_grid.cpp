@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds, inspects and draws the energy grid of a map.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/eval/energy_command.hpp"
+#include "adaptive_localization/eval/energy_picture.hpp"
+#include "adaptive_localization/map/map_io.hpp"
+#include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/ser/global_search.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A scan of one beam per degree, taken at a pose, or with nothing but its geometry.
+Scan simulate(const EnergyCommand& command, const std::shared_ptr<const OccupancyGrid>& map,
+              double max_range) {
+  const bool all_round = command.view > 359.0;
+  const int steps = std::max(1, static_cast<int>(std::lround(command.view)));
+  LaserScan scan;
+  scan.angle_min = -0.5 * command.view * kPi / 180.0;
+  scan.angle_increment = command.view * kPi / 180.0 / steps;
+  scan.range_max = max_range;
+  scan.ranges.assign(static_cast<std::size_t>(steps + (all_round ? 0 : 1)),
+                     std::numeric_limits<float>::quiet_NaN());
+  const RayCaster caster(map);
+  for (std::size_t i = 0; command.query && i < scan.ranges.size(); ++i) {
+    const double bearing = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+    const double range = caster.range(*command.query * Pose2{0.0, 0.0, bearing}, max_range);
+    scan.ranges[i] =
+        range < max_range ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
+  }
+  ScanOptions all_beams;
+  all_beams.laser_max_beams = 1000;
+  return toScan(scan, LaserMount{}, all_beams);
+}
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
+};
+
+void printHistogram(const EnergyGrid& grid) {
+  constexpr int kBins = 20;
+  constexpr std::size_t kWidth = 50;
+  std::array<std::size_t, kBins> counts{};
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const int bin = static_cast<int>(grid.energy(i) * kBins);
+    ++counts[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))];
+  }
+  const std::size_t most = *std::max_element(counts.begin(), counts.end());
+  std::printf("energy           poses\n");
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    if (counts[bin] == 0) continue;
+    std::printf("%.2f to %.2f %9zu %s\n", static_cast<double>(bin) / kBins,
+                static_cast<double>(bin + 1) / kBins, counts[bin],
+                std::string(kWidth * counts[bin] / most, '#').c_str());
+  }
+}
+
+void printPlaces(const std::shared_ptr<const EnergyGrid>& grid,
+                 const std::shared_ptr<const OccupancyGrid>& map, const Scan& scan) {
+  const auto field = std::make_shared<const DistanceField>(*map);
+  const GlobalSearch search(grid, map, field, GlobalSearchOptions{});
+  const Stopwatch stopwatch;
+  const std::vector<Place> places = search.find(scan);
+  std::printf("search: %zu %s in %.4f s, %.2f %% of poses visited\n", places.size(),
+              places.size() == 1 ? "place" : "places", stopwatch.seconds(),
+              100.0 * search.visitedShare());
+  for (const auto& place : places) {
+    std::printf("  x %.3f m, y %.3f m, yaw %.1f deg: mean error %.3f m\n", place.T_map_base.x,
+                place.T_map_base.y, place.T_map_base.theta * 180.0 / kPi, place.error);
+  }
+}
+
+void run(const EnergyCommand& command) {
+  const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
+  if (command.query && !map->isFree(map->lattice().cellAt({command.query->x, command.query->y}))) {
+    throw std::invalid_argument("--query: that is not on free ground of " + command.map);
+  }
+  const auto options = command.options.read<EnergyGridOptions>();
+  const Scan scan = simulate(command, map, options.energy_max_range);
+  const Stopwatch stopwatch;
+  const auto grid =
+      std::make_shared<const EnergyGrid>(*map, geometryOf(scan, options.energy_max_range), options);
+  const double seconds = stopwatch.seconds();
+  std::printf("map: %d x %d cells of %.3f m, %zu of them free\n", map->lattice().width(),
+              map->lattice().height(), map->lattice().resolution(), map->countFree());
+  std::printf("grid: %zu cells x %d headings = %zu poses, %.1f MB, built in %.4f s\n",
+              grid->ranges().size(), grid->orientations(), grid->size(),
+              1e-6 * static_cast<double>(grid->bytes()), seconds);
+  printHistogram(*grid);
+  if (!command.query) {
+    if (!command.picture.empty()) saveEnergies(*map, *grid, command.picture);
+    return;
+  }
+  const auto energy = grid->energyOf(scan);
+  if (!energy) throw std::invalid_argument("--query: no beam of the scan is valid there");
+  const auto region = grid->similarTo(*energy);
+  std::printf("scan: energy %.4f; region: %zu poses within %.3f, %.2f %% of all\n", energy->value,
+              region.size(), energy->delta,
+              100.0 * static_cast<double>(region.size()) / static_cast<double>(grid->size()));
+  printPlaces(grid, map, scan);
+  if (!command.picture.empty()) {
+    saveRegion(*map, *grid, region, *command.query, command.picture);
+  }
+}
+
+int runEnergyGrid(const std::vector<std::string>& arguments) {
+  EnergyCommand command;
+  try {
+    command = parseEnergyCommand(arguments);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "energy_grid: " << error.what() << "\n\n" << energyUsage();
+    return EXIT_FAILURE;
+  }
+  if (command.wants_help) {
+    std::cout << energyUsage();
+    return EXIT_SUCCESS;
+  }
+  try {
+    run(command);
+  } catch (const std::exception& error) {
+    std::cerr << "energy_grid: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace adaptive_localization
+
+int main(int argc, char** argv) {
+  return adaptive_localization::runEnergyGrid({argv + 1, argv + argc});
+}
