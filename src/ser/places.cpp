@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace adaptive_localization {
@@ -21,6 +20,15 @@ bool suits(const ScanGeometry& grid, const ScanGeometry& scan) {
          std::abs(grid.count - scan.count) <= 2;
 }
 
+/// Stamps alone do not tell: a log may have the same for all.
+bool isSame(const Observations& a, const Observations& b) {
+  const auto equal = [](const Eigen::ArrayXf& p, const Eigen::ArrayXf& q) {
+    return p.size() == q.size() && (p == q).all();
+  };
+  return a.stamp == b.stamp && equal(a.scan.range, b.scan.range) &&
+         equal(a.scan.bearing, b.scan.bearing);
+}
+
 }  // namespace
 
 Places::Places(std::shared_ptr<const OccupancyGrid> map,
@@ -30,8 +38,7 @@ Places::Places(std::shared_ptr<const OccupancyGrid> map,
       distance_field_(std::move(distance_field)),
       options_(options),
       search_options_(search),
-      build_(build),
-      searched_stamp_(std::numeric_limits<double>::quiet_NaN()) {}
+      build_(build) {}
 
 Places::~Places() = default;
 
@@ -92,12 +99,13 @@ std::shared_ptr<const EnergyGrid> Places::energyGrid(const Scan& scan) {
 }
 
 const std::vector<Place>& Places::search(const Observations& observations) {
-  if (observations.stamp == searched_stamp_) return found_;
+  if (searched_ && isSame(*searched_, observations)) return found_;
   found_.clear();
+  searched_.reset();
   const Entry* entry = entryFor(observations.scan);
   if (!entry) return found_;
   found_ = entry->search->find(observations.scan);
-  searched_stamp_ = observations.stamp;
+  searched_ = observations;
   return found_;
 }
 

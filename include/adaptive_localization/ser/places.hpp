@@ -4,6 +4,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class Places {
   Build build_;
   std::vector<Entry> entries_;
   std::vector<std::string> warnings_;
-  double searched_stamp_;
+  std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
   std::future<Entry> building_;  // last, so that it ends before what it reads
 };
