@@ -17,18 +17,34 @@ Eigen::Matrix3d squareRoot(const Eigen::Matrix3d& covariance) {
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
+/// Mean distance of particles from their mean, m.
+double spreadOf(const Particles& particles, const Eigen::ArrayXd& weights) {
+  const double x = (weights * particles.x).sum();
+  const double y = (weights * particles.y).sum();
+  return (weights * ((particles.x - x).square() + (particles.y - y).square()).sqrt()).sum();
+}
+
+bool isOnePlace(const Estimate& estimate) {
+  constexpr double kStandardDeviation = 0.5;  // m
+  return estimate.modes.front().mass > 0.9 && estimate.covariance.topLeftCorner<2, 2>().trace() <
+                                                  kStandardDeviation * kStandardDeviation;
+}
+
 }  // namespace
 
 void ParticleFilter::reset(const Prior& prior) {
   const auto* cloud = std::get_if<Particles>(&prior);
   taken_over_ = cloud && cloud->size() > 0;
+  anywhere_ = false;
   if (taken_over_) {
     particles_ = *cloud;
     particles_.log_weight = normalisedWeights(cloud->log_weight).log();
   } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
     draw(*gaussian);
   } else {
-    draw(Anywhere{});
+    anywhere_ = true;
+    parts_.elsewhere->condition(Observations{});  // forgets what was seen before
+    drawElsewhere(parts_.size->initial());
   }
   parts_.size->observe(particles_);  // else the size would be that of the belief before
   parts_.exploration->reset();
@@ -45,21 +61,29 @@ void ParticleFilter::draw(const Gaussian2& gaussian) {
   }
 }
 
-void ParticleFilter::draw(Anywhere) {
-  particles_ = Particles(parts_.size->initial());
+void ParticleFilter::drawElsewhere(Eigen::Index count) {
+  particles_ = Particles(count);
   for (Eigen::Index i = 0; i < particles_.size(); ++i) {
     particles_.setPose(i, parts_.elsewhere->draw(rng_));
   }
 }
 
 Estimate ParticleFilter::update(const Pose2& motion, const Observations& observations) {
-  if (isPlausible(motion)) parts_.motion->propagate(motion, particles_, rng_);
+  if (anywhere_ && parts_.elsewhere->condition(observations)) {
+    drawElsewhere(parts_.size->initial(*parts_.elsewhere, rng_));
+    parts_.size->observe(particles_);
+    anywhere_ = false;
+  } else if (isPlausible(motion)) {
+    parts_.motion->propagate(motion, particles_, rng_);
+  }
   const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = weights.log();
   const Estimate estimate = summarize(particles_, weights);
 
-  parts_.elsewhere->condition(observations);
+  if (isOnePlace(estimate)) anywhere_ = false;
+
   const double elsewhere = parts_.exploration->share();
+  if (elsewhere > 0.0) parts_.elsewhere->condition(observations);  // this may be dear
   if (resamplingIsDue(weights, elsewhere)) resample(weights, elsewhere);
   return estimate;
 }
@@ -73,7 +97,11 @@ Eigen::ArrayXd ParticleFilter::weigh(const Observations& observations) {
   const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
   const double beams = parts_.observation->score(observations, particles_, log_likelihood);
   if (beams <= 0.0) return weights;
-  parts_.exploration->observe((weights * (log_likelihood / beams).exp()).sum());
+  Eigen::Index best = 0;
+  log_likelihood.maxCoeff(&best);
+  const Evidence evidence{observations, (weights * (log_likelihood / beams).exp()).sum(),
+                          particles_.pose(best), spreadOf(particles_, weights), particles_.size()};
+  if (!parts_.exploration->observe(evidence)) return weights;
   return temperedWeights(weights, log_likelihood, options_.min_effective_share);
 }
 

@@ -39,7 +39,8 @@ struct ParticleFilterParts {
 };
 
 /// Monte Carlo localization (Dellaert, Fox, Burgard, Thrun 1999; Probabilistic Robotics,
-/// table 8.2): move, weigh, resample.
+/// table 8.2): move, weigh, resample. Particles that may be anywhere are drawn anew at the first
+/// scan that tells where to look.
 class ParticleFilter : public Filter {
  public:
   ParticleFilter(const ParticleFilterOptions& options, ParticleFilterParts parts,
@@ -53,7 +54,7 @@ class ParticleFilter : public Filter {
 
  private:
   void draw(const Gaussian2& gaussian);
-  void draw(Anywhere);
+  void drawElsewhere(Eigen::Index count);
 
   /// The particles' weights after the observations, normalised.
   Eigen::ArrayXd weigh(const Observations& observations);
@@ -65,6 +66,7 @@ class ParticleFilter : public Filter {
   Rng rng_;
   Particles particles_;
   int updates_since_resampling_{0};
+  bool anywhere_{false};    // and no scan has told yet where to look
   bool taken_over_{false};  // from another filter, with its number of particles
 };
 

@@ -15,6 +15,7 @@ class Fixed : public SampleSize {
  public:
   explicit Fixed(Eigen::Index size) : size_(size) {}
   Eigen::Index initial() const override { return size_; }
+  Eigen::Index initial(const PoseSampler&, Rng&) const override { return size_; }
   Eigen::Index next(const Belief&, Rng&) override { return size_; }
 
  private:
@@ -30,20 +31,35 @@ class KldDrawn : public SampleSize {
 
   Eigen::Index initial() const override { return options_.max_particles; }
 
+  Eigen::Index initial(const PoseSampler& region, Rng& rng) const override {
+    return countDrawn([&]() { return region.draw(rng); });
+  }
+
   Eigen::Index next(const Belief& belief, Rng& rng) override {
     std::vector<double> cumulative(static_cast<std::size_t>(belief.weights.size()));
     double sum = 0.0;
     for (std::size_t i = 0; i < cumulative.size(); ++i) {
       cumulative[i] = sum += belief.weights[static_cast<Eigen::Index>(i)];
     }
-    const auto draw = [&]() {
+    return countDrawn([&]() {
       if (belief.elsewhere > 0.0 && rng.uniform() < belief.elsewhere) {
         return belief.sampler.draw(rng);
       }
       const auto at = std::upper_bound(cumulative.begin(), cumulative.end(), sum * rng.uniform());
       const auto i = std::min<Eigen::Index>(at - cumulative.begin(), belief.particles.size() - 1);
       return belief.particles.pose(i);
-    };
+    });
+  }
+
+ protected:
+  Eigen::Index sizeFor(int bins) const {
+    return std::clamp<Eigen::Index>(kldSampleSize(bins, options_.kld_err, options_.kld_z),
+                                    options_.min_particles, options_.max_particles);
+  }
+
+  /// How many poses are drawn until there are enough of them.
+  template <class Draw>
+  Eigen::Index countDrawn(const Draw& draw) const {
     PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);
     Eigen::Index needed = options_.min_particles;
     for (Eigen::Index drawn = 1; drawn <= options_.max_particles; ++drawn) {
@@ -55,22 +71,19 @@ class KldDrawn : public SampleSize {
     return options_.max_particles;
   }
 
- protected:
-  Eigen::Index sizeFor(int bins) const {
-    return std::clamp<Eigen::Index>(kldSampleSize(bins, options_.kld_err, options_.kld_z),
-                                    options_.min_particles, options_.max_particles);
-  }
-
   SampleSizeOptions options_;
 };
 
-/// The sources' reading: the bins of the set that was resampled size the next one.
+/// The sources' reading: the bins of the set that was resampled size the next one, those of the
+/// region elsewhere one that looks there.
 class KldResampled : public KldDrawn {
  public:
   explicit KldResampled(const SampleSizeOptions& options)
       : KldDrawn(options), next_(options.max_particles) {}
 
-  Eigen::Index next(const Belief&, Rng&) override { return next_; }
+  Eigen::Index next(const Belief& belief, Rng& rng) override {
+    return belief.elsewhere > 0.0 ? std::max(next_, initial(belief.sampler, rng)) : next_;
+  }
 
   void observe(const Particles& particles) override {
     PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);

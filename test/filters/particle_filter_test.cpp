@@ -14,7 +14,12 @@ namespace {
 /// A filter with parts that record what they are told.
 struct Recording {
   std::vector<double> likelihoods;  // told to the exploration
+  std::vector<Pose2> best;
+  std::vector<double> spreads;
+  bool worthless{false};  // what is observed
   int explored{0};
+  int conditioned{0};
+  bool knows_where{false};
   double share{0.0};
   Eigen::Index count{100};
 };
@@ -23,7 +28,12 @@ class ScriptedExploration : public Exploration {
  public:
   explicit ScriptedExploration(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
   void reset() override {}
-  void observe(double mean_likelihood) override { r_->likelihoods.push_back(mean_likelihood); }
+  bool observe(const Evidence& evidence) override {
+    r_->likelihoods.push_back(evidence.mean_likelihood);
+    r_->best.push_back(evidence.best);
+    r_->spreads.push_back(evidence.spread);
+    return !r_->worthless;
+  }
   double share() const override { return r_->share; }
   void explored() override { ++r_->explored; }
 
@@ -35,10 +45,30 @@ class ScriptedSize : public SampleSize {
  public:
   explicit ScriptedSize(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
   Eigen::Index initial() const override { return r_->count; }
+  Eigen::Index initial(const PoseSampler&, Rng&) const override { return r_->count / 2; }
   Eigen::Index next(const Belief&, Rng&) override { return r_->count; }
 
  private:
   std::shared_ptr<Recording> r_;
+};
+
+/// A corridor far off; where it knows more after a scan, a point near it.
+class ScriptedSampler : public FreeSpaceSampler {
+ public:
+  explicit ScriptedSampler(std::shared_ptr<Recording> recording)
+      : FreeSpaceSampler(toyWorld({".........."}, 1.0, {50.0, 50.0, 0.0})),
+        r_(std::move(recording)) {}
+  bool condition(const Observations& observations) override {
+    ++r_->conditioned;
+    return knows_ = r_->knows_where && observations.stamp > 0.0;
+  }
+  Pose2 draw(Rng& rng) const override {
+    return knows_ ? Pose2{70.0, 50.0, 0.0} : FreeSpaceSampler::draw(rng);
+  }
+
+ private:
+  std::shared_ptr<Recording> r_;
+  bool knows_{false};
 };
 
 /// log p = -(x - 1)^2 per beam, ten independent beams.
@@ -60,7 +90,7 @@ ParticleFilter makeFilter(const std::shared_ptr<Recording>& recording, bool sele
   parts.observation = std::make_unique<HillModel>();
   parts.size = std::make_unique<ScriptedSize>(recording);
   parts.exploration = std::make_unique<ScriptedExploration>(recording);
-  parts.elsewhere = std::make_unique<FreeSpaceSampler>(toyWorld({"."}, 1.0, {50.0, 50.0, 0.0}));
+  parts.elsewhere = std::make_unique<ScriptedSampler>(recording);
   ParticleFilterOptions options;
   options.resample_interval = 1;
   options.selective_resampling = selective;
@@ -114,6 +144,60 @@ TEST(ParticleFilter, LooksElsewhereWithTheShareItIsTold) {
   recording->share = 0.0;
   filter.update({}, Observations{});
   EXPECT_EQ(recording->explored, 1);
+}
+
+TEST(ParticleFilter, AsksWhereToLookOnlyWhenItLooks) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(1.0, 0.0));
+  filter.update({}, Observations{});
+  EXPECT_EQ(recording->conditioned, 0);
+  recording->share = 0.5;
+  filter.update({}, Observations{});
+  EXPECT_EQ(recording->conditioned, 1);
+}
+
+TEST(ParticleFilter, TellsOfTheParticleThatExplainsBestAndOfTheSpread) {
+  const auto recording = std::make_shared<Recording>();
+  recording->count = 20000;
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(at(0.5, 0.4));
+  filter.update({}, Observations{});
+  EXPECT_NEAR(recording->best.at(0).x, 1.0, 0.01);
+  EXPECT_NEAR(recording->spreads.at(0), 0.4 * std::sqrt(2.0 / kPi), 0.01);
+}
+
+TEST(ParticleFilter, KeepsItsWeightsWhereObservationsAreWorthless) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording, true);
+  filter.reset(at(2.0, 0.3));
+  recording->worthless = true;
+  const Estimate estimate = filter.update({0.5, 0.0, 0.0}, Observations{});
+  const Particles& all = filter.hypotheses();
+  EXPECT_NEAR(all.log_weight.maxCoeff(), all.log_weight.minCoeff(), 1e-12);
+  EXPECT_NEAR(estimate.T_map_base.x, 2.5, 0.1);  // where odometry says, not nearer to 1
+}
+
+TEST(ParticleFilter, AnywhereBecomesTheRegionThatTheFirstScanLeaves) {
+  const auto recording = std::make_shared<Recording>();
+  ParticleFilter filter = makeFilter(recording);
+  filter.reset(Anywhere{});
+  EXPECT_EQ(filter.hypotheses().size(), 100);
+  EXPECT_LT(filter.hypotheses().x.maxCoeff(), 61.0);
+  recording->knows_where = true;
+  recording->count = 80;
+  filter.update({}, Observations{});  // tells nothing yet
+  EXPECT_LT(filter.hypotheses().x.maxCoeff(), 61.0);
+  filter.update({5.0, 0.0, 0.0}, {1.0, {}});
+  EXPECT_EQ(filter.hypotheses().size(), 80);  // of 40, resampled
+  EXPECT_EQ(filter.hypotheses().x.minCoeff(), 70.0);
+  filter.update({1.0, 0.0, 0.0}, {2.0, {}});  // not again
+  EXPECT_GT(filter.hypotheses().x.minCoeff(), 70.2);
+  filter.reset(Anywhere{});
+  EXPECT_LT(filter.hypotheses().x.maxCoeff(), 61.0);
+  filter.reset(at(1.0, 0.0));
+  filter.update({}, {3.0, {}});
+  EXPECT_LT(filter.hypotheses().x.maxCoeff(), 2.0);
 }
 
 TEST(ParticleFilter, ChangesItsSizeWhenTold) {

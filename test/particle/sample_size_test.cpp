@@ -74,11 +74,22 @@ TEST(KldSampleSize, IsOneForOneBinAndGrowsWithBins) {
   }
 }
 
+/// Uniform over so many bins in a row.
+class Row : public PoseSampler {
+ public:
+  explicit Row(int bins) : bins_(bins) {}
+  Pose2 draw(Rng& rng) const override { return {rng.uniform(0.0, 0.5 * bins_), 0.25, 0.1}; }
+
+ private:
+  double bins_;
+};
+
 TEST(FixedSampleSize, IsAlwaysTheSame) {
   Rng rng(1);
   const auto size = fixedSampleSize(sizes());
   const Particles particles = cloud(50, 5.0);
   EXPECT_EQ(size->initial(), 5000);
+  EXPECT_EQ(size->initial(Row{3}, rng), 5000);
   EXPECT_EQ(size->next(believe(particles), rng), 5000);
 }
 
@@ -130,6 +141,31 @@ TEST(KldResampled, SizesTheNextSetByTheLast) {
   EXPECT_EQ(size->initial(), 5000);
   size->observe(particles);
   EXPECT_EQ(size->next(believe(particles), rng), 1274);
+}
+
+TEST(KldSampleSize, StartsInARegionWithAsManyAsItsBinsAskFor) {
+  Rng rng(7);
+  for (const std::string count : {"drawn", "resampled"}) {
+    SampleSizeOptions options = sizes();
+    options.kld_count = count;
+    const auto size = kldSampleSize(options);
+    EXPECT_EQ(size->initial(Row{31}, rng), 1274) << count;  // the numbers of SA-KLD's source
+    EXPECT_EQ(size->initial(Row{65}, rng), 2333) << count;
+    EXPECT_EQ(size->initial(Row{97}, rng), 3281) << count;
+    EXPECT_EQ(size->initial(Staircase(), rng), 5000) << count;
+  }
+}
+
+TEST(KldResampled, SizesASetThatLooksElsewhereByTheBinsThere) {
+  SampleSizeOptions options = sizes();
+  options.kld_count = "resampled";
+  const auto size = kldSampleSize(options);
+  Rng rng(8);
+  const Particles narrow = cloud(1000, 0.01);
+  size->observe(narrow);
+  ASSERT_LT(size->next(believe(narrow), rng), 500);
+  EXPECT_EQ(size->next({narrow, believe(narrow).weights, Row{31}, 0.3}, rng), 1274);
+  EXPECT_LT(size->next(believe(narrow), rng), 500);
 }
 
 TEST(KldSampleSizeOptions, RefuseAMinimumAboveTheMaximum) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
+#include <string>
 
+#include "adaptive_localization/observations.hpp"
 #include "adaptive_localization/options.hpp"
+#include "adaptive_localization/pose2.hpp"
 
 namespace adaptive_localization {
 
@@ -27,6 +31,16 @@ struct ExplorationOptions {
   }
 };
 
+/// What an update tells about whether the robot is where the particles are. All of it is from
+/// before the weights are normalised.
+struct Evidence {
+  const Observations& observations;
+  double mean_likelihood;  // per beam, over the particles
+  Pose2 best;              // the particle that explains the observations best
+  double spread;           // mean distance of the particles from their mean, m
+  Eigen::Index particles;
+};
+
 /// What share of the next set shall look elsewhere.
 class Exploration {
  public:
@@ -34,14 +48,16 @@ class Exploration {
 
   virtual void reset() = 0;
 
-  /// Takes note of the mean likelihood per beam of the particles, before weights are normalised.
-  virtual void observe(double mean_likelihood) = 0;
+  /// Takes note of an update. False if the particles are better not weighed by these observations:
+  /// they fit neither here nor elsewhere, so they tell of what is before the sensor and not of
+  /// where the robot is.
+  virtual bool observe(const Evidence& evidence) = 0;
 
   /// Share in [0, 1] of the next set.
   virtual double share() const = 0;
 
   /// Told that poses elsewhere were drawn.
-  virtual void explored() = 0;
+  virtual void explored() {}
 };
 
 std::unique_ptr<Exploration> noExploration();

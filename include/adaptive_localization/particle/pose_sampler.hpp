@@ -17,8 +17,10 @@ class PoseSampler {
  public:
   virtual ~PoseSampler() = default;
 
-  /// Takes note of what was observed, for samplers whose region depends on it.
-  virtual void condition(const Observations&) {}
+  /// Takes note of what was observed, for samplers whose region depends on it, and tells whether
+  /// they draw from such a region now. If not, they draw from all free space: nothing was observed,
+  /// nothing of that kind is in the map, or what is needed to know is still being made.
+  virtual bool condition(const Observations&) { return false; }
 
   /// A pose of base in map.
   virtual Pose2 draw(Rng& rng) const = 0;

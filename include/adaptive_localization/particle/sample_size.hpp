@@ -65,6 +65,9 @@ class SampleSize {
   /// For a set that starts anew.
   virtual Eigen::Index initial() const = 0;
 
+  /// For a set that starts anew in the region that a sampler draws from.
+  virtual Eigen::Index initial(const PoseSampler& region, Rng& rng) const = 0;
+
   /// For a set drawn from a belief.
   virtual Eigen::Index next(const Belief& belief, Rng& rng) = 0;
 
@@ -74,7 +77,9 @@ class SampleSize {
 
 std::unique_ptr<SampleSize> fixedSampleSize(const SampleSizeOptions& options);
 
-/// KLD-sampling. Throws std::invalid_argument if min_particles exceeds max_particles.
+/// KLD-sampling. A set that starts in a region has as many particles as the bins that the region
+/// occupies ask for (SA-KLD).
+/// Throws std::invalid_argument if min_particles exceeds max_particles.
 std::unique_ptr<SampleSize> kldSampleSize(const SampleSizeOptions& options);
 
 }  // namespace adaptive_localization

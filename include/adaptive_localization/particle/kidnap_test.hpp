@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/particle/exploration.hpp"
+
+namespace adaptive_localization {
+
+struct KidnapOptions {
+  double kidnap_mean_abs_error{0.2};
+  double kidnap_truncation{0.5};
+  int kidnap_confirm_scans{2};
+  double kidnap_margin{0.1};
+  double kidnap_arm_spread{0.0};
+  int kidnap_arm_particles{0};
+  double local_share{0.2};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("kidnap_mean_abs_error", kidnap_mean_abs_error, kPositive, "m",
+           "The best particle does not explain a scan if its mean range error per beam is above "
+           "this.");
+    option(
+        "kidnap_truncation", kidnap_truncation, kPositive, "m",
+        "A range that is wrong by more than this counts as wrong by this: what people before the "
+        "laser may add.");
+    option("kidnap_confirm_scans", kidnap_confirm_scans, Range{1, 1000}, "",
+           "Scans in a row that the best particle does not explain before others are looked for.");
+    option("kidnap_margin", kidnap_margin, kNotNegative, "m",
+           "How much smaller the mean range error of a place found elsewhere must be for particles "
+           "to be drawn there; 0: nothing need be found.");
+    option("kidnap_arm_spread", kidnap_arm_spread, kNotNegative, "m",
+           "The test is on once the mean distance of particles from their mean was below this; 0: "
+           "from the start.");
+    option("kidnap_arm_particles", kidnap_arm_particles, kNotNegative, "",
+           "The test is on once there were fewer particles than this; 0: any number.");
+    option("local_share", local_share, kProbability, "",
+           "Share of the particles that stay when the robot seems to have been kidnapped (alpha).");
+  }
+};
+
+/// Places where the observations fit, best first; empty if none is known.
+using FindElsewhere = std::function<std::vector<Pose2>(const Observations&)>;
+
+/// Test for a robot that was carried away (SAMCL; with the hypothesis test that its authors ask
+/// for). With the mean range error per beam of a pose,
+///
+///     e(pose) = (1 / I) sum_i min(|z_i* - z_i|, c)
+///
+/// z* by exact ray casting and a no-return counting as max_range: if e(best particle) is above
+/// kidnap_mean_abs_error for kidnap_confirm_scans scans, and e(best place found) is smaller by
+/// kidnap_margin, then a share 1 - local_share of the next set is drawn elsewhere.
+///
+/// If no such place is found, and neither c nor the error leave much of the scan explained, then
+/// the laser is covered or the robot is where the map knows nothing: particles that explained scans
+/// before are not weighed by this one.
+std::unique_ptr<Exploration> kidnapTest(const KidnapOptions& options,
+                                        std::shared_ptr<const OccupancyGrid> map,
+                                        FindElsewhere find);
+
+}  // namespace adaptive_localization
