@@ -86,7 +86,7 @@ TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {
       {"ser", {"top", "map", "particle", "ser"}},
       {"filters", {"top", "map", "motion", "observation", "particle", "ser", "filters"}},
       {"sim", {"top", "map", "sim"}},
-      {"eval", {"top", "map", "eval"}},
+      {"eval", {"top", "map", "ser", "sim", "eval"}},
       {"ros", {"top", "map", "ser", "sim", "ros"}},
       {"apps", {"top", "map", "ser", "sim", "eval", "ros"}}};
   std::vector<std::string> wrong;
