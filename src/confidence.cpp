@@ -6,6 +6,11 @@
 #include <stdexcept>
 
 namespace adaptive_localization {
+namespace {
+
+constexpr double kContradiction = 0.2;  // a fit below tells that the robot is not there
+
+}  // namespace
 
 Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field)
     : options_(options), field_(std::move(field)) {
@@ -19,13 +24,16 @@ Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const D
 
 void Confidence::reset() {
   fit_ = -1.0;
-  value_ = 0.0;
+  latest_fit_ = value_ = 0.0;
+  contradictions_ = 0;
   compact_ = ambiguous_ = false;
 }
 
 void Confidence::goOnFrom(const Confidence& other) {
   fit_ = other.fit_;
   value_ = other.value_;
+  latest_fit_ = other.latest_fit_;
+  contradictions_ = other.contradictions_;
   compact_ = other.compact_;
   ambiguous_ = other.ambiguous_;
 }
@@ -44,8 +52,9 @@ double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
 
 void Confidence::observe(const Estimate& estimate, const Observations& observations) {
   if (observations.scan.hits() > 0) {
-    const double fit = fitOf(estimate.T_map_base, observations.scan);
-    fit_ = fit_ < 0.0 ? fit : fit_ + options_.confidence_rate * (fit - fit_);
+    latest_fit_ = fitOf(estimate.T_map_base, observations.scan);
+    fit_ = fit_ < 0.0 ? latest_fit_ : fit_ + options_.confidence_rate * (latest_fit_ - fit_);
+    contradictions_ = latest_fit_ < kContradiction ? contradictions_ + 1 : 0;
   }
   const double variance = estimate.covariance.topLeftCorner<2, 2>().trace();
   const double relative = variance / (options_.converged_std * options_.converged_std);

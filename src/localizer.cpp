@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
+constexpr int kLostScans = 2;      // contradictions in a row that make other places worth a thought
 
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
@@ -35,37 +36,53 @@ std::string toText(Status status) {
 }
 
 Localizer::Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
-                     std::shared_ptr<const DistanceField> distance_field) {
-  build(read(parameters), std::move(map), std::move(distance_field), std::nullopt);
+                     std::shared_ptr<const DistanceField> distance_field,
+                     std::shared_ptr<Places> places) {
+  build(read(parameters), {std::move(map), std::move(distance_field), std::move(places)},
+        std::nullopt);
 }
 
 /// Makes all that can fail before anything is replaced.
-void Localizer::build(Setup setup, std::shared_ptr<const OccupancyGrid> map,
-                      std::shared_ptr<const DistanceField> distance_field,
-                      const std::optional<Prior>& belief) {
-  if (!distance_field) distance_field = std::make_shared<const DistanceField>(*map);
-  const FilterContext context{map, distance_field, setup.parameters,
-                              static_cast<std::uint64_t>(setup.options.seed)};
+void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& belief) {
+  if (!ground.distance_field) {
+    ground.distance_field = std::make_shared<const DistanceField>(*ground.map);
+  }
+  if (!ground.places) {
+    ground.places = std::make_shared<Places>(ground.map, ground.distance_field,
+                                             setup.parameters.read<EnergyGridOptions>(),
+                                             setup.parameters.read<GlobalSearchOptions>());
+  }
+  const FilterContext context{ground.map, ground.distance_field, setup.parameters,
+                              static_cast<std::uint64_t>(setup.options.seed), ground.places};
   auto filter = registry_.find(setup.options.filter).make(context);
   if (belief) filter->reset(*belief);
-  Confidence confidence(setup.confidence, distance_field);
+  Confidence confidence(setup.confidence, ground.distance_field);
   if (confidence_) confidence.goOnFrom(*confidence_);
+  Rivals rivals(setup.rivals, ground.map, ground.distance_field, ground.places);
+  if (rivals_) rivals.goOnFrom(*rivals_);
 
   setThreads(setup.options.threads);
   setup_ = std::move(setup);
   setup_.parameters = context.parameters;  // knows what the filter has read
-  map_ = std::move(map);
-  distance_field_ = std::move(distance_field);
+  ground_ = std::move(ground);
   filter_ = std::move(filter);
   confidence_.emplace(confidence);
+  rivals_.emplace(std::move(rivals));
 }
 
 void Localizer::configure(const Parameters& parameters) {
   Setup setup = read(parameters);
-  if (!hasSameFilter(setup)) return build(std::move(setup), map_, distance_field_, belief());
-  Confidence confidence(setup.confidence, distance_field_);
+  Ground ground = ground_;
+  if (!hasSamePlaces(setup)) ground.places = nullptr;
+  if (!hasSameFilter(setup) || !ground.places) {
+    return build(std::move(setup), std::move(ground), belief());
+  }
+  Confidence confidence(setup.confidence, ground.distance_field);
   confidence.goOnFrom(*confidence_);
+  Rivals rivals(setup.rivals, ground.map, ground.distance_field, ground.places);
+  rivals.goOnFrom(*rivals_);
   confidence_.emplace(confidence);
+  rivals_.emplace(std::move(rivals));
   setThreads(setup.options.threads);
   setup_ = std::move(setup);
 }
@@ -84,6 +101,11 @@ void Localizer::reset(const Prior& prior) {
   confidence_->reset();
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
+  if (from_anywhere_) {
+    rivals_->open(false);
+  } else {
+    rivals_->close();
+  }
   T_odom_base_at_update_.reset();
   last_ = {};
   last_.status = Status::kGlobalizing;
@@ -92,9 +114,10 @@ void Localizer::reset(const Prior& prior) {
 }
 
 void Localizer::setMap(std::shared_ptr<const OccupancyGrid> map,
-                       std::shared_ptr<const DistanceField> distance_field) {
+                       std::shared_ptr<const DistanceField> distance_field,
+                       std::shared_ptr<Places> places) {
   const auto belief = beliefOn(*map);
-  build(setup_, std::move(map), std::move(distance_field), belief);
+  build(setup_, {std::move(map), std::move(distance_field), std::move(places)}, belief);
   requestUpdate();
 }
 
@@ -125,9 +148,12 @@ std::optional<Prior> Localizer::beliefOn(const OccupancyGrid& map) const {
   return kept;
 }
 
-bool Localizer::gateOpens(const Pose2& motion) const {
-  return std::hypot(motion.x, motion.y) >= setup_.options.update_min_d ||
-         std::abs(motion.theta) >= setup_.options.update_min_a;
+/// A scan that contradicts the map opens it too: a robot that was carried away stands still.
+bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
+  if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
+  if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
+  return observations.scan.hits() > 0 &&
+         confidence_->fitOf(last_.estimate.T_map_base * motion, observations.scan) < kLostFit;
 }
 
 Localization Localizer::update(const Pose2& T_odom_base, const Observations& observations) {
@@ -135,7 +161,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   if (last_.status == Status::kUninitialised || !isFinite(T_odom_base)) return last_;
   const bool first = !T_odom_base_at_update_;
   const Pose2 motion = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
-  if (first || update_requested_ || gateOpens(motion)) {
+  if (first || update_requested_ || gateOpens(motion, observations)) {
     updateFilter(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
     last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
@@ -148,15 +174,26 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
   last_.estimate = filter_->update(motion, observations);
   confidence_->observe(last_.estimate, observations);
-  last_.confidence = confidence_->value();
+  if (rivals_->isSettled() && confidence_->contradictions() >= kLostScans) {
+    rivals_->open(converged_);
+  }
+  rivals_->observe(motion, last_.estimate.T_map_base, observations);
   last_.status = judge();
   converged_ = converged_ || last_.status == Status::kTracking;
+  last_.modes = rivals_->modes().empty() ? last_.estimate.modes : rivals_->modes();
+  last_.confidence = confidence_->value() * rivals_->shareOf(last_.estimate.T_map_base);
   last_.updated = true;
 }
 
 Status Localizer::judge() const {
+  if (!rivals_->isSettled()) {
+    const bool fits = confidence_->latestFit() >= kFoundFit;
+    if (fits && rivals_->modes().size() > 1) return Status::kAmbiguous;
+    return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;
+  }
   const bool was_lost = last_.status == Status::kLost || !converged_;
-  const bool fits = confidence_->fit() >= (was_lost ? kFoundFit : kLostFit);
+  const double fit = was_lost ? confidence_->latestFit() : confidence_->fit();
+  const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);
   if (confidence_->isCompact() && confidence_->isAmbiguous()) return Status::kAmbiguous;
   if (confidence_->isCompact() && fits) return Status::kTracking;
   return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;

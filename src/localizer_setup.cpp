@@ -9,9 +9,17 @@
 namespace adaptive_localization {
 namespace {
 
+std::vector<OptionDescription> placesOptions() {
+  std::vector<OptionDescription> all = describe(EnergyGridOptions{});
+  const auto search = describe(GlobalSearchOptions{});
+  all.insert(all.end(), search.begin(), search.end());
+  return all;
+}
+
 std::vector<OptionDescription> localizerOptions() {
   std::vector<OptionDescription> all = describe(LocalizerOptions{});
-  for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{})}) {
+  for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{}),
+                           describe(RivalsOptions{}), placesOptions()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
@@ -35,6 +43,13 @@ OptionValue valueOf(const OptionDescription& option, const Parameters& parameter
   return given == parameters.values().end() ? option.value : asTypeOf(option.value, given->second);
 }
 
+bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a,
+              const Parameters& b) {
+  return std::all_of(options.begin(), options.end(), [&](const OptionDescription& option) {
+    return valueOf(option, a) == valueOf(option, b);
+  });
+}
+
 }  // namespace
 
 Localizer::Setup Localizer::read(Parameters parameters) {
@@ -50,6 +65,7 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
+  setup.rivals = parameters.read<RivalsOptions>();
   for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
     for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
   }
@@ -70,10 +86,12 @@ bool Localizer::hasSameFilter(const Setup& setup) const {
   if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
     return false;
   }
-  const auto& options = registry_.find(setup.options.filter).options;
-  return std::all_of(options.begin(), options.end(), [&](const OptionDescription& option) {
-    return valueOf(option, setup_.parameters) == valueOf(option, setup.parameters);
-  });
+  return areEqual(registry_.find(setup.options.filter).options, setup_.parameters,
+                  setup.parameters);
+}
+
+bool Localizer::hasSamePlaces(const Setup& setup) const {
+  return areEqual(placesOptions(), setup_.parameters, setup.parameters);
 }
 
 std::vector<std::string> Localizer::unknownKeys() const {

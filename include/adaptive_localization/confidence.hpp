@@ -54,17 +54,22 @@ class Confidence {
   /// Takes note of a scan and the estimate made from it.
   void observe(const Estimate& estimate, const Observations& observations);
 
+  /// How well a scan fits the map at a pose, [0, 1]; the scan must have hits.
+  double fitOf(const Pose2& T_map_base, const Scan& scan) const;
+
   double value() const { return value_; }                 // [0, 1]
+  double latestFit() const { return latest_fit_; }        // of the newest scan alone
+  int contradictions() const { return contradictions_; }  // scans in a row with hardly any fit
   double fit() const { return fit_ < 0.0 ? 0.0 : fit_; }  // [0, 1]
   bool isCompact() const { return compact_; }             // the heaviest mode is one place
   bool isAmbiguous() const { return ambiguous_; }         // a second mode is nearly as heavy
 
  private:
-  double fitOf(const Pose2& T_map_base, const Scan& scan) const;
-
   ConfidenceOptions options_;
   std::shared_ptr<const DistanceField> field_;
   double fit_{-1.0};  // none yet
+  double latest_fit_{0.0};
+  int contradictions_{0};
   double value_{0.0};
   bool compact_{false};
   bool ambiguous_{false};

@@ -10,6 +10,7 @@
 #include "adaptive_localization/confidence.hpp"
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/ser/rivals.hpp"
 
 namespace adaptive_localization {
 
@@ -18,7 +19,7 @@ enum class Status { kUninitialised, kGlobalizing, kTracking, kAmbiguous, kLost }
 std::string toText(Status status);
 
 struct LocalizerOptions {
-  std::string filter{"amcl"};
+  std::string filter{"sa_kld"};
   std::string preset{"recommended"};
   std::string plugins;  // paths, separated by colons
   int seed{1};
@@ -44,23 +45,26 @@ struct LocalizerOptions {
 
 /// What the localizer answers to a scan.
 struct Localization {
-  Pose2 T_map_odom;        // the correction of odometry; valid for scans to come
-  Pose2 T_map_base;        // at this scan
-  Estimate estimate;       // of the last update; modes and covariance
-  bool updated{false};     // this scan went through the filter
-  double confidence{0.0};  // in [0, 1]
+  Pose2 T_map_odom;         // the correction of odometry; valid for scans to come
+  Pose2 T_map_base;         // at this scan
+  Estimate estimate;        // of the last update; modes and covariance
+  std::vector<Mode> modes;  // all places where the robot may be, most likely first
+  bool updated{false};      // this scan went through the filter
+  double confidence{0.0};   // in [0, 1]
   Status status{Status::kUninitialised};
 };
 
-/// Drives a filter: motion gate, filter, confidence, status. The node, the replayer and the tests
-/// all call this. No ROS, no clock.
+/// Drives a filter: motion gate, filter, confidence, rivals, status. The node, the replayer and the
+/// tests all call this. No ROS, no clock.
 class Localizer {
  public:
   /// Throws std::invalid_argument naming key, value and range when a parameter is wrong or when the
   /// map has no free cell. The belief is empty until reset(). The map's distance field can be given
-  /// where it was made before, say in another thread.
+  /// where it was made before, say in another thread, and its places, where they shall be made in
+  /// another one.
   Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
-            std::shared_ptr<const DistanceField> distance_field = nullptr);
+            std::shared_ptr<const DistanceField> distance_field = nullptr,
+            std::shared_ptr<Places> places = nullptr);
 
   /// Other options from now on, all of them: what is not given takes its default. The belief goes
   /// on, whichever filter is named, and so do gate, correction, confidence and status.
@@ -79,13 +83,17 @@ class Localizer {
   /// none does the heaviest mode, and weighs them at the next scan. Throws as the constructor does,
   /// and then keeps the old map.
   void setMap(std::shared_ptr<const OccupancyGrid> map,
-              std::shared_ptr<const DistanceField> distance_field = nullptr);
+              std::shared_ptr<const DistanceField> distance_field = nullptr,
+              std::shared_ptr<Places> places = nullptr);
 
   /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
   /// How well scans fit the map at the estimate, how sure the belief is.
   const Confidence& confidence() const { return *confidence_; }
+
+  /// Where in the map a scan can have been taken.
+  Places& places() const { return *ground_.places; }
 
   /// The belief as a cloud; empty before reset().
   const Particles& hypotheses() const { return filter_->hypotheses(); }
@@ -108,28 +116,35 @@ class Localizer {
     LocalizerOptions options;
     ScanOptions scan;
     ConfidenceOptions confidence;
+    RivalsOptions rivals;
     Parameters parameters;
+  };
+
+  /// A map and what is made from it.
+  struct Ground {
+    std::shared_ptr<const OccupancyGrid> map;
+    std::shared_ptr<const DistanceField> distance_field;
+    std::shared_ptr<Places> places;
   };
 
   Setup read(Parameters parameters);
   void loadPlugins(const std::string& paths);
-  void build(Setup setup, std::shared_ptr<const OccupancyGrid> map,
-             std::shared_ptr<const DistanceField> distance_field,
-             const std::optional<Prior>& belief);
+  void build(Setup setup, Ground ground, const std::optional<Prior>& belief);
   bool hasSameFilter(const Setup& setup) const;
+  bool hasSamePlaces(const Setup& setup) const;
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
-  bool gateOpens(const Pose2& motion) const;
+  bool gateOpens(const Pose2& motion, const Observations& observations) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   Status judge() const;
 
   FilterRegistry registry_;
   std::set<std::string> loaded_plugins_;
   Setup setup_;
-  std::shared_ptr<const OccupancyGrid> map_;
-  std::shared_ptr<const DistanceField> distance_field_;
+  Ground ground_;
   std::unique_ptr<Filter> filter_;
   std::optional<Confidence> confidence_;
+  std::optional<Rivals> rivals_;
 
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};

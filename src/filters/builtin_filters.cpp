@@ -83,8 +83,6 @@ std::vector<OptionDescription> optionsOf(Looks looks) {
   append(looks == Looks::kKidnapTest ? describe(KidnapOptions{}) : describe(ExplorationOptions{}));
   append(describe(ElsewhereOptions{}));
   append(describe(PlaceSamplerOptions{}));
-  append(describe(EnergyGridOptions{}));
-  append(describe(GlobalSearchOptions{}));
   return all;
 }
 

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "place_refiner.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kTruncation = 0.5;     // m; range errors beyond tell no more
+constexpr double kKnownBonus = 3.0;     // most lost robots were not carried away
+constexpr double kLateMalus = 3.0;      // of places that an earlier search did not find
+constexpr double kSearchWay = 1.0;      // m or rad between searches while places are left
+constexpr int kLongestPause = 8;        // scans between searches that find nothing
+constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
+constexpr double kPlaceTurnStd = 0.03;  // rad
+
+double wayOf(const Pose2& motion) {
+  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+}
+
+Eigen::Matrix3d placeCovariance() {
+  return Eigen::Vector3d(kPlaceStd * kPlaceStd, kPlaceStd * kPlaceStd,
+                         kPlaceTurnStd * kPlaceTurnStd)
+      .asDiagonal();
+}
+
+}  // namespace
+
+Rivals::Rivals(const RivalsOptions& options, std::shared_ptr<const OccupancyGrid> map,
+               std::shared_ptr<const DistanceField> field, std::shared_ptr<Places> places)
+    : options_(options),
+      map_(std::move(map)),
+      field_(std::move(field)),
+      places_(std::move(places)) {}
+
+void Rivals::open(bool was_known) {
+  close();
+  settled_ = false;
+  was_known_ = was_known;
+}
+
+void Rivals::close() {
+  settled_ = true;
+  searched_ = was_known_ = false;
+  scans_until_search_ = pause_ = 0;
+  way_ = options_.rival_distance;  // the first scan counts in full
+  way_since_search_ = 0.0;
+  hypotheses_.clear();
+  modes_.clear();
+}
+
+void Rivals::goOnFrom(const Rivals& other) {
+  settled_ = other.settled_;
+  searched_ = other.searched_;
+  was_known_ = other.was_known_;
+  scans_until_search_ = other.scans_until_search_;
+  pause_ = other.pause_;
+  way_ = other.way_;
+  way_since_search_ = other.way_since_search_;
+  hypotheses_ = other.hypotheses_;
+  modes_ = other.modes_;
+}
+
+double Rivals::shareOf(const Pose2& T_map_base) const {
+  if (settled_) return 1.0;
+  for (const Mode& mode : modes_) {
+    if (areSamePlace(mode.T_map_base, T_map_base)) return mode.mass;
+  }
+  return 0.0;
+}
+
+void Rivals::observe(const Pose2& motion, const Pose2& T_map_base,
+                     const Observations& observations) {
+  for (Hypothesis& hypothesis : hypotheses_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
+  way_ += wayOf(motion);
+  way_since_search_ += wayOf(motion);
+  if (settled_ || observations.scan.hits() == 0) return;
+  const PlaceRefiner refiner(map_, *field_, observations.scan, observations.scan.max_range,
+                             kTruncation);
+  for (Hypothesis& hypothesis : hypotheses_) align(refiner, hypothesis);
+  believe(refiner, T_map_base);
+  if (searchIsDue()) search(observations);
+  weigh(std::min(1.0, way_ / options_.rival_distance));
+  way_ = 0.0;
+  conclude(T_map_base);
+}
+
+void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) {
+  const Place place = refiner.refine(hypothesis.T_map_base);
+  if (areSamePlace(place.T_map_base, hypothesis.T_map_base)) {
+    hypothesis.T_map_base = place.T_map_base;
+  }
+  hypothesis.error = place.error;
+}
+
+/// Where the filter believes to be counts as well, whether the search finds it or not.
+void Rivals::believe(const PlaceRefiner& refiner, const Pose2& T_map_base) {
+  const bool is_first = hypotheses_.empty() && !searched_;
+  if (knows(T_map_base) || (is_first && !was_known_)) return;
+  Hypothesis believed{T_map_base, is_first ? kKnownBonus : best() - kLateMalus, 0.0};
+  align(refiner, believed);
+  hypotheses_.push_back(believed);
+}
+
+bool Rivals::knows(const Pose2& T_map_base) const {
+  return std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const Hypothesis& hypothesis) {
+    return areSamePlace(hypothesis.T_map_base, T_map_base);
+  });
+}
+
+double Rivals::best() const {
+  double best = hypotheses_.empty() ? 0.0 : hypotheses_.front().log_likelihood;
+  for (const auto& hypothesis : hypotheses_) best = std::max(best, hypothesis.log_likelihood);
+  return best;
+}
+
+/// While nothing is found each scan may be the one that tells, but searching is not free.
+bool Rivals::searchIsDue() {
+  if (!searched_) return --scans_until_search_ < 0;
+  return way_since_search_ > kSearchWay;
+}
+
+void Rivals::search(const Observations& observations) {
+  const std::vector<Place>& places = places_->search(observations);
+  way_since_search_ = 0.0;
+  if (places.empty()) {
+    pause_ = std::min(kLongestPause, 2 * pause_ + 1);
+    scans_until_search_ = pause_;
+    return;
+  }
+  const double entry = searched_ ? best() - kLateMalus : 0.0;
+  for (const Place& place : places) {
+    if (!knows(place.T_map_base)) hypotheses_.push_back({place.T_map_base, entry, place.error});
+  }
+  searched_ = true;
+}
+
+void Rivals::weigh(double share) {
+  double least = kTruncation;
+  for (const auto& hypothesis : hypotheses_) least = std::min(least, hypothesis.error);
+  for (auto& hypothesis : hypotheses_) {
+    const double excess = hypothesis.error - least - options_.rival_tolerance;
+    hypothesis.log_likelihood -=
+        share * options_.rival_beams * std::max(0.0, excess) / options_.rival_scale;
+  }
+}
+
+void Rivals::conclude(const Pose2& T_map_base) {
+  std::stable_sort(
+      hypotheses_.begin(), hypotheses_.end(),
+      [](const Hypothesis& a, const Hypothesis& b) { return a.log_likelihood > b.log_likelihood; });
+  const double limit = best() - options_.rival_margin;
+  std::vector<Hypothesis> kept;
+  for (const Hypothesis& hypothesis : hypotheses_) {
+    const auto isSame = [&](const Hypothesis& other) {
+      return areSamePlace(hypothesis.T_map_base, other.T_map_base);
+    };
+    if (hypothesis.log_likelihood >= limit && std::none_of(kept.begin(), kept.end(), isSame)) {
+      kept.push_back(hypothesis);
+    }
+  }
+  hypotheses_ = std::move(kept);
+  modes_.clear();
+  double sum = 0.0;
+  for (const auto& hypothesis : hypotheses_) {
+    modes_.push_back({hypothesis.T_map_base, placeCovariance(),
+                      std::exp(hypothesis.log_likelihood - hypotheses_.front().log_likelihood)});
+    sum += modes_.back().mass;
+  }
+  for (Mode& mode : modes_) mode.mass /= sum;
+  settled_ = searched_ && modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
+}
+
+}  // namespace adaptive_localization
