@@ -43,9 +43,18 @@ TEST_F(TrackingLocalizer, UpdatesAtOnceAndThenByDistance) {
 }
 
 TEST_F(TrackingLocalizer, UpdatesByAngleTheShortWayRound) {
+  localizer_.reset(roughly(start_ * Pose2{0.0, 0.0, kPi - 0.05}));
   at({0.0, 0.0, kPi - 0.05});
   EXPECT_FALSE(at({0.0, 0.0, -kPi + 0.05}).updated);
   EXPECT_TRUE(at({0.0, 0.0, -kPi + 0.2}).updated);
+}
+
+TEST_F(TrackingLocalizer, UpdatesWhereItStandsWhileTheScanContradictsTheMap) {
+  at({});
+  at({});
+  const auto elsewhere = laser_.observe(map_, start_ * Pose2{0.0, 0.0, 2.0});
+  EXPECT_TRUE(localizer_.update({}, elsewhere).updated);
+  EXPECT_TRUE(localizer_.update({}, elsewhere).updated);
 }
 
 TEST_F(TrackingLocalizer, UpdatesOnRequestOnce) {
