@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace adaptive_localization {
 namespace {
@@ -16,9 +17,10 @@ constexpr std::size_t kWidth = 40;
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::size_t total, bool is_wanted)
+ProgressBar::ProgressBar(std::size_t total, bool is_wanted, std::string unit)
     : total_(std::max<std::size_t>(total, 1)),
       is_wanted_(is_wanted && isatty(STDERR_FILENO)),
+      unit_(std::move(unit)),
       start_(std::chrono::steady_clock::now()),
       last_(start_) {}
 
@@ -35,8 +37,8 @@ void ProgressBar::show(std::size_t done) {
   const std::size_t filled = kWidth * std::min(done, total_) / total_;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const auto left = static_cast<double>(total_ - std::min(done, total_));
-  std::fprintf(stderr, "\r[%s%s] %zu/%zu scans, %.0f s left ", std::string(filled, '#').c_str(),
-               std::string(kWidth - filled, ' ').c_str(), done, total_,
+  std::fprintf(stderr, "\r[%s%s] %zu/%zu %s, %.0f s left ", std::string(filled, '#').c_str(),
+               std::string(kWidth - filled, ' ').c_str(), done, total_, unit_.c_str(),
                elapsed * left / static_cast<double>(std::max<std::size_t>(done, 1)));
 }
 

@@ -3,13 +3,15 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace adaptive_localization {
 
 /// A bar on stderr for work that takes more than two seconds; silent where stderr is no terminal.
 class ProgressBar {
  public:
-  ProgressBar(std::size_t total, bool is_wanted);
+  /// The unit is what is counted: "scans".
+  ProgressBar(std::size_t total, bool is_wanted, std::string unit = "scans");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -19,6 +21,7 @@ class ProgressBar {
  private:
   std::size_t total_;
   bool is_wanted_;
+  std::string unit_;
   bool is_drawn_{false};
   std::chrono::steady_clock::time_point start_, last_;
 };

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/sim/polygon.hpp"
+#include "adaptive_localization/sim/simulation.hpp"
+
+namespace adaptive_localization {
+
+/// Where a robot is put: at a pose, or at a random place among those where it can stand and get
+/// away from.
+struct Spot {
+  std::optional<Pose2> pose;
+  std::vector<Bounds> regions;          // in one of them; empty: anywhere
+  double yaw_low{-kPi}, yaw_high{kPi};  // rad
+  double farther_than{0.0};             // m from where it was
+};
+
+/// Something that happens to the robot, again every so many seconds if asked for.
+struct ExperimentEvent {
+  enum class What { kKidnap, kCarry, kBlock };
+
+  What what{What::kKidnap};
+  double at{0.0};          // s
+  double duration{0.0};    // s, of a carry or a block
+  double every{0.0};       // s; 0: once
+  Spot to;                 // of a kidnap or a carry
+  double share{0.0};       // of the beams, of a block
+  bool is_sector{false};   // the blocked beams lie side by side and stay the same
+  bool is_garbage{false};  // what a carried laser sees: anything, rather than a hand before it
+};
+
+/// When an estimate is right: near enough for so many scans in a row.
+struct SuccessRule {
+  double position{0.15};              // m
+  double heading{5.0 * kPi / 180.0};  // rad
+  int scans{3};
+};
+
+/// A core under test.
+struct ExperimentCore {
+  std::string label;
+  Parameters parameters;  // filter, preset and options
+};
+
+/// One scenario: a world, what happens in it, and the cores that live through it.
+struct ExperimentCase {
+  std::string experiment, label;
+  std::string world, map;                             // YAML files
+  std::optional<std::vector<Eigen::Vector2d>> route;  // none: the floor plan's; empty: random
+  Spot start;
+  bool is_start_known{false};
+  Parameters simulation;  // options of the simulated robot
+  double duration{30.0};  // s
+  std::vector<ExperimentEvent> events;
+  SuccessRule success;
+  std::vector<double> probes;      // s: moments at which the error is noted
+  std::optional<Pose2> half_turn;  // the map looks the same after half a turn about this point
+  std::vector<ExperimentCore> cores;
+  int first_seed{1};
+  int seeds{30};
+  std::string fingerprint;  // of all that decides the results but core and seed
+};
+
+/// A named experiment, read from a YAML file:
+///
+///     name: kidnap
+///     sentence: The robot is lifted and put down elsewhere.
+///     world: ../../maps/maze        # a folder with world.yaml and map.yaml, from this file's
+///     place map: ...                      # another map than the world's route: random # or a list
+///     of [x, y]; otherwise the floor plan's start: random                 # or [x, y, yaw], or
+///     {regions: [[x, y, x, y], ...],
+///                                   #   yaw: [low, high], farther_than: m}
+///     start_known: true             # the localizer is told; otherwise it starts anywhere
+///     simulation: {people: 2}       # options of p3dx_simulator; drive is on
+///     duration: 42                  # s
+///     events:                       # of three kinds; with every: s, again and again
+///       - {what: kidnap, at: 12, every: 15, to: random}
+///       - {what: carry, at: 12, for: 3, to: random, laser: garbage}       # or blocked
+///       - {what: block, at: 10, for: 20, share: 0.3, pattern: sector}     # or scattered
+///     success: {position: 0.15, heading: 5, scans: 3}          # m, degrees
+///     probes: [20, 30]              # s
+///     half_turn: [5, 2.5]           # the map looks the same after half a turn about this point
+///     options: {update_min_d: 0}    # of all cores
+///     cores:
+///       - {filter: amcl, preset: recommended, label: amcl, options: {max_particles: 1000}}
+///     seeds: {first: 1, count: 100}
+///     cases:                        # scenarios; each may say any of the above in its own way
+///       - {label: maze}
+///       - {label: expansion, world: ../../maps/expansion}
+///
+/// Required: name, sentence, world, cores.
+struct Experiment {
+  std::string name, sentence;
+  std::vector<ExperimentCase> cases;
+};
+
+/// KEY:=VALUE from the command line. A key of the experiment's file, with dots (duration,
+/// simulation.people, success.scans), or else an option of all cores.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Throws std::invalid_argument naming file, key, value and what was expected.
+Experiment loadExperiment(const std::string& yaml_file, const Overrides& overrides = {});
+
+}  // namespace adaptive_localization

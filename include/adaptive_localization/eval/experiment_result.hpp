@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/pose2.hpp"
+
+namespace adaptive_localization {
+
+/// Which run it was. The settings are a hash of all else that decides the result.
+struct RunId {
+  std::string experiment, of_case, label;
+  int seed{1};
+  std::string settings;
+};
+
+/// One task of finding the robot: from the start, or after it was put down elsewhere.
+struct Trial {
+  enum class Kind { kKnownStart, kStart, kKidnap };
+
+  Kind kind{Kind::kStart};
+  double at{0.0};  // s, when the robot was put down
+  Pose2 T_map_base;
+  std::optional<double> found_s;  // after that the estimate was right, and stayed so for some scans
+  std::optional<double> told_s;   // the same, and the status was tracking
+  int scans{0};
+  int searching{0};            // scans before it was found
+  int searching_tracking{0};   // of these, those that said tracking
+  int searching_ambiguous{0};  // of these, those that said ambiguous
+  std::string end_status;
+  double end_error_m{0.0};
+  double end_error_deg{0.0};
+  bool is_silent_failure{false};  // says tracking at the end, and is wrong
+};
+
+/// What came of one run. An estimate counts as wrong when it is off by more than kLostDistance or
+/// kLostHeading.
+struct ExperimentResult {
+  RunId id;
+  std::string filter, preset;
+  double duration_s{0.0};
+  int scans{0};
+  int updates{0};
+  std::vector<Trial> trials;
+
+  double settled_s{0.0};  // after the status told, up to the next event or the end
+  int left_tracking{0};   // false alarms: how often the status left tracking in that time,
+  int false_jumps{0};     // and how often the estimate jumped more than kLostDistance
+  int jumps{0};           // at any time
+
+  int silently_wrong{0};              // scans that said tracking while the estimate was wrong
+  double silently_wrong_s{0.0};       // the longest spell of them
+  int carried{0};                     // scans while the robot was off the floor,
+  int carried_tracking{0};            // those of them that said tracking,
+  int carried_jumps{0};               // and those at which the estimate jumped
+  std::map<std::string, int> status;  // scans by status
+
+  double first_mass{0.0}, second_mass{0.0};  // of the two heaviest modes, mean while ambiguous
+  double both_share{0.0};  // of the scans: a mode at the truth and one at half a turn from it
+  bool has_both_at_end{false};
+
+  double rms_m{0.0}, rms_deg{0.0}, max_m{0.0};  // after it was found
+  std::vector<double> probe_errors_m;
+  int particles_first{0}, particles_max{0};
+  double particles_mean{0.0};
+  double update_ms_median{0.0}, update_ms_max{0.0};  // processor time of scans that updated
+};
+
+std::string toText(Trial::Kind kind);
+
+/// One line of JSON, without its end.
+std::string toLine(const ExperimentResult& result);
+
+/// Throws std::invalid_argument for a line that toLine did not make.
+ExperimentResult fromLine(const std::string& line);
+
+}  // namespace adaptive_localization

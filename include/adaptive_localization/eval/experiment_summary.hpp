@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/eval/experiment_result.hpp"
+
+namespace adaptive_localization {
+
+/// A share with its confidence interval.
+struct Share {
+  int of{0};
+  int count{0};
+  double value{0.0};
+  double low{0.0}, high{1.0};
+};
+
+/// The Wilson score interval (Wilson 1927) at the standard normal quantile z, 1.96 for 95 %:
+/// unlike the textbook interval it makes sense for few trials and for shares near 0 and 1.
+Share wilson(int count, int of, double z = 1.959963984540054);
+
+/// Results of the runs with the same experiment, case and core, over seeds. Trials are those of
+/// starts that were not known and of kidnaps; a trial that failed counts as never in the quantiles.
+struct ExperimentSummary {
+  std::string experiment, of_case, label, filter, preset;
+  int runs{0};
+  Share found;
+  std::optional<double> found_median_s, found_p95_s, told_median_s, told_p95_s;  // none: never
+  std::vector<double> found_s;  // of those that were found, ascending
+  Share silent_failures;        // trials at whose end the status was tracking, wrongly
+  Share flagged;                // trials in which no scan said tracking before the robot was found
+  Share ambiguous;              // trials in which one said ambiguous before
+  double settled_h{0.0};
+  int left_tracking{0}, false_jumps{0};
+  double jumps_per_run{0.0};
+  double silently_wrong_share{0.0}, silently_wrong_longest_s{0.0};
+  double carried_tracking_share{0.0};
+  int carried_jumps{0};
+  Share both_at_end;  // runs
+  double both_share{0.0}, first_mass{0.0}, second_mass{0.0};
+  double tracking_share{0.0};  // of all scans
+  double rms_median_m{0.0}, rms_median_deg{0.0}, max_m{0.0};
+  std::vector<double> probe_mean_m, probe_std_m;
+  double particles_first{0.0}, particles_mean{0.0};
+  int particles_max{0};
+  double update_ms_median{0.0}, update_ms_max{0.0};
+};
+
+/// One summary for each experiment, case and core, in alphabetical order. The order of the results
+/// does not matter, nor whether a run is there twice.
+/// Throws std::invalid_argument when runs of one row were made with different settings.
+std::vector<ExperimentSummary> summarize(std::vector<ExperimentResult> results);
+
+/// A table in Markdown.
+std::string toTable(const std::vector<ExperimentSummary>& summaries);
+
+nlohmann::ordered_json toJson(const ExperimentSummary& summary);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/eval/experiment_command.hpp"
+#include "adaptive_localization/eval/experiment_file.hpp"
+#include "adaptive_localization/eval/experiment_plot.hpp"
+#include "adaptive_localization/eval/experiment_summary.hpp"
+#include "adaptive_localization/eval/progress_bar.hpp"
+#include "adaptive_localization/eval/report.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+std::vector<Experiment> load(const ExperimentCommand& command) {
+  std::vector<Experiment> experiments;
+  for (const auto& file : command.files) {
+    experiments.push_back(loadExperiment(file, command.overrides));
+    for (auto& of_case : experiments.back().cases) {
+      if (command.seeds) of_case.seeds = *command.seeds;
+    }
+  }
+  return experiments;
+}
+
+void list(const std::vector<PlannedRun>& runs) {
+  std::map<std::string, int> counts;
+  for (const auto& run : runs) {
+    ++counts[run.of_case->experiment + "/" + run.of_case->label + "/" + run.core->label];
+  }
+  for (const auto& [name, count] : counts) std::cout << name << ": " << count << " runs\n";
+}
+
+void report(const ExperimentCommand& command, const std::vector<ExperimentResult>& results) {
+  const auto summaries = summarize(results);
+  if (!command.json_file.empty()) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto& summary : summaries) json.push_back(toJson(summary));
+    saveJson(json, command.json_file);
+  }
+  if (!command.plot_file.empty()) savePlot(summaries, command.plot_file);
+  if (!command.is_quiet) std::cout << toTable(summaries);
+}
+
+void summarizeFiles(const ExperimentCommand& command) {
+  std::vector<ExperimentResult> results;
+  for (const auto& file : command.files) {
+    const auto more = readResults(file);
+    results.insert(results.end(), more.begin(), more.end());
+  }
+  report(command, results);
+}
+
+void run(const ExperimentCommand& command) {
+  const auto experiments = load(command);
+  const auto runs = planRuns(experiments, command.shard, command.words);
+  if (command.is_list) return list(runs);
+  ExperimentFile file(command.out_file);
+  const auto missing = file.missing(runs);
+  if (!command.is_quiet && missing.size() < runs.size()) {
+    std::cerr << "experiments: " << runs.size() - missing.size() << " of " << runs.size()
+              << " runs are there already\n";
+  }
+  {
+    ProgressBar bar(missing.size(), !command.is_quiet, "runs");
+    std::size_t done = 0;
+    makeRuns(missing, command.jobs, [&](const ExperimentResult& result) {
+      file.add(result);
+      bar.show(++done);
+    });
+  }
+  report(command, file.results());
+}
+
+}  // namespace
+
+int runExperiments(const std::vector<std::string>& arguments) {
+  ExperimentCommand command;
+  try {
+    command = parseExperimentCommand(arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "experiments: " << error.what() << "\n\n" << experimentUsage();
+    return 1;
+  }
+  if (command.wants_help) {
+    std::cout << experimentUsage();
+    return 0;
+  }
+  try {
+    if (command.is_summary) {
+      summarizeFiles(command);
+    } else {
+      run(command);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "experiments: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace adaptive_localization
+
+int main(int argc, char** argv) {
+  return adaptive_localization::runExperiments({argv + 1, argv + argc});
+}

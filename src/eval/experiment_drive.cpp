@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr std::uint64_t kEvents = 100;  // stream of randomness, none of the simulation's
+constexpr double kSoon = Simulation::kStep / 2.0;
+
+SimulationOptions optionsOf(const ExperimentCase& of_case, int seed) {
+  SimulationOptions options = SimulationOptions::from(of_case.simulation);
+  options.seed = seed;
+  options.start = "random";
+  return options;
+}
+
+Site siteOf(const ExperimentSite& site, const ExperimentCase& of_case) {
+  Site result = site.site;
+  if (of_case.route) result.route = *of_case.route;
+  return result;
+}
+
+bool isIn(const std::vector<Bounds>& regions, const Eigen::Vector2d& point) {
+  return regions.empty() || std::any_of(regions.begin(), regions.end(), [&](const Bounds& region) {
+           return region.contains(point);
+         });
+}
+
+}  // namespace
+
+ExperimentDrive::ExperimentDrive(const ExperimentSite& site, const ExperimentCase& of_case,
+                                 int seed)
+    : free_space_(site.free_space),
+      simulation_(siteOf(site, of_case), optionsOf(of_case, seed)),
+      rng_(Rng(static_cast<std::uint64_t>(seed)).split(kEvents)),
+      duration_(of_case.duration),
+      scan_period_(1.0 / SimulationOptions::from(of_case.simulation).scan_rate) {
+  for (const auto& event : of_case.events) {
+    const double step = event.every > 0.0 ? event.every : std::numeric_limits<double>::infinity();
+    for (double at = event.at; at < duration_; at += step) {
+      due_.push_back({event, at, rng_.uniform()});
+    }
+  }
+  std::stable_sort(due_.begin(), due_.end(),
+                   [](const Due& a, const Due& b) { return a.at < b.at; });
+  simulation_.kidnap(draw(of_case.start));
+}
+
+Pose2 ExperimentDrive::draw(const Spot& place) {
+  if (place.pose) return *place.pose;
+  constexpr int kTries = 10000;
+  const Eigen::Vector2d here(truth().x, truth().y);
+  for (int i = 0; i < kTries; ++i) {
+    const Eigen::Vector2d spot = free_space_->sample(rng_);
+    if (!isIn(place.regions, spot) || (spot - here).norm() < place.farther_than) continue;
+    return {spot.x(), spot.y(), wrapAngle(rng_.uniform(place.yaw_low, place.yaw_high))};
+  }
+  throw std::invalid_argument("no place where the robot can stand in the regions given for it, " +
+                              std::to_string(place.farther_than) + " m or more from where it was");
+}
+
+std::optional<DriveScan> ExperimentDrive::next() {
+  while (time() < duration_ - kSoon) {
+    const bool was_carried = carry_.has_value();
+    if (!was_carried) startDueEvents();
+    if (carry_) {
+      DriveScan scan = carriedScan();
+      scan.is_lifted = !was_carried;
+      return scan;
+    }
+    Sensed sensed = simulation_.step();
+    if (!sensed.scan) continue;
+    DriveScan scan;
+    scan.scan = last_scan_ = std::move(*sensed.scan);
+    scan.scan = blocked(std::move(scan.scan));
+    scan.scan.stamp = time();
+    scan.T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
+    scan.T_map_base = truth();
+    scan.put_down = put_down_;
+    put_down_.reset();
+    return scan;
+  }
+  return std::nullopt;
+}
+
+/// Kidnaps and carries; blocked beams are looked up scan by scan.
+void ExperimentDrive::startDueEvents() {
+  if (last_scan_.ranges.empty()) return;  // nothing has begun
+  const auto is_due = [&](const Due& due) {
+    return due.event.what != ExperimentEvent::What::kBlock && due.at <= time() + kSoon;
+  };
+  for (auto due = due_.begin(); due != due_.end() && !carry_;) {
+    if (!is_due(*due)) {
+      ++due;
+      continue;
+    }
+    const ExperimentEvent event = due->event;
+    due = due_.erase(due);
+    start(event);
+  }
+}
+
+void ExperimentDrive::start(const ExperimentEvent& event) {
+  const Pose2 T_map_before = truth();
+  const Pose2 T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
+  simulation_.kidnap(draw(event.to));
+  if (event.what == ExperimentEvent::What::kKidnap) {
+    put_down_ = time();
+  } else {
+    carry_ = Carry{T_odom_base, wrapAngle(truth().theta - T_map_before.theta), time(),
+                   time() + event.duration, event.is_garbage};
+  }
+}
+
+DriveScan ExperimentDrive::carriedScan() {
+  carried_ += scan_period_;
+  const double share = std::min(1.0, (time() - carry_->from) / (carry_->until - carry_->from));
+  DriveScan scan;
+  scan.scan = carriedReadings();
+  scan.T_odom_base = carry_->T_odom_base * Pose2{0.0, 0.0, carry_->turn * share};
+  if (time() >= carry_->until - kSoon) putDown();
+  return scan;
+}
+
+void ExperimentDrive::putDown() {
+  const Pose2 T_odom_base = carry_->T_odom_base * Pose2{0.0, 0.0, carry_->turn};
+  T_odom_wheels_ = T_odom_base * inverse(simulation_.odometry().T_odom_base);
+  put_down_ = time();
+  carry_.reset();
+}
+
+LaserScan ExperimentDrive::carriedReadings() {
+  LaserScan scan = last_scan_;
+  scan.stamp = time();
+  for (float& range : scan.ranges) {
+    const double any = rng_.uniform();
+    range = static_cast<float>(rng_.uniform(0.05, 0.4));
+    if (!carry_->is_garbage) continue;
+    range = static_cast<float>(rng_.uniform(0.05, 8.0));
+    if (any < 0.1) range = std::numeric_limits<float>::infinity();
+    if (any > 0.9) range = std::numeric_limits<float>::quiet_NaN();
+  }
+  return scan;
+}
+
+/// What stands before a beam is nearer than what the beam would have met.
+LaserScan ExperimentDrive::blocked(LaserScan scan) {
+  const double count = static_cast<double>(scan.ranges.size());
+  for (const auto& due : due_) {
+    if (due.event.what != ExperimentEvent::What::kBlock) continue;
+    if (time() < due.at || time() >= due.at + due.event.duration) continue;
+    const double first = due.first_bearing * (1.0 - due.event.share);
+    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+      const double place = (static_cast<double>(i) + 0.5) / count - first;
+      const bool is_hit = due.event.is_sector ? place >= 0.0 && place < due.event.share
+                                              : rng_.uniform() < due.event.share;
+      if (!is_hit) continue;
+      const double limit = std::isfinite(scan.ranges[i]) ? scan.ranges[i] : 4.0;
+      scan.ranges[i] =
+          static_cast<float>(limit * rng_.uniform(due.event.is_sector ? 0.4 : 0.05, 0.9));
+    }
+  }
+  return scan;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "adaptive_localization/eval/experiment_run.hpp"
+
+namespace adaptive_localization {
+
+/// One scan of a drive with all that is true of it.
+struct DriveScan {
+  LaserScan scan;
+  Pose2 T_odom_base;
+  std::optional<Pose2> T_map_base;  // none while the robot is off the floor
+  bool is_lifted{false};            // it was, since the scan before
+  std::optional<double> put_down;   // s, when it was put down, since the scan before
+};
+
+/// A simulated drive to which things happen. While the robot is carried its wheels stand still,
+/// odometry turns with its gyro, and the laser sees a hand before it, or anything.
+class ExperimentDrive {
+ public:
+  ExperimentDrive(const ExperimentSite& site, const ExperimentCase& of_case, int seed);
+
+  /// The next scan; none when the time is up.
+  std::optional<DriveScan> next();
+
+  const Pose2& truth() const { return simulation_.truth(); }  // T_map_base
+  Pose2 laserMount() const { return simulation_.laserMount(); }
+
+ private:
+  struct Due {
+    ExperimentEvent event;
+    double at;
+    double first_bearing;  // of the blocked sector, as a share of the beams
+  };
+  struct Carry {
+    Pose2 T_odom_base;  // when it was lifted
+    double turn;        // rad in all
+    double from, until;
+    bool is_garbage;
+  };
+
+  double time() const { return simulation_.time() + carried_; }
+  Pose2 draw(const Spot& place);
+  void startDueEvents();
+  void start(const ExperimentEvent& event);
+  DriveScan carriedScan();
+  void putDown();
+  LaserScan blocked(LaserScan scan);
+  LaserScan carriedReadings();
+
+  std::shared_ptr<const FreeSpace> free_space_;
+  Simulation simulation_;
+  Rng rng_;
+  double duration_, scan_period_;
+  std::vector<Due> due_;
+  std::optional<Carry> carry_;
+  double carried_{0.0};  // s in all
+  Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
+  std::optional<double> put_down_;
+  LaserScan last_scan_;
+};
+
+}  // namespace adaptive_localization

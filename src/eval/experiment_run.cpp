@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/experiment_run.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+#include "adaptive_localization/eval/start.hpp"
+#include "adaptive_localization/map/map_io.hpp"
+#include "experiment_drive.hpp"
+#include "experiment_judge.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Processor time of this thread, which other runs beside it do not lengthen. ms.
+double threadMilliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// The number of threads is the process's, so localizers are made one after the other.
+std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const ExperimentCore& core,
+                                         int seed) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  Parameters parameters = core.parameters;
+  parameters.set("seed", OptionValue(seed));
+  parameters.set("threads", OptionValue(1));
+  return std::make_unique<Localizer>(parameters, site.map, site.distance_field);
+}
+
+Prior priorOf(const ExperimentCase& of_case, const Pose2& truth) {
+  if (!of_case.is_start_known) return Anywhere{};
+  const StartOptions options;
+  Gaussian2 prior;
+  prior.mean = truth;
+  prior.covariance.diagonal() << options.initial_cov_xx, options.initial_cov_yy,
+      options.initial_cov_aa;
+  return prior;
+}
+
+JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount& mount) {
+  const double start = threadMilliseconds();
+  Observations observations;
+  observations.stamp = seen.scan.stamp;
+  observations.scan = toScan(seen.scan, mount, localizer.scanOptions());
+  JudgedScan judged;
+  judged.answer = localizer.update(seen.T_odom_base, observations);
+  judged.update_ms = threadMilliseconds() - start;
+  judged.stamp = seen.scan.stamp;
+  judged.T_odom_base = seen.T_odom_base;
+  judged.T_map_base = seen.T_map_base;
+  judged.particles = static_cast<int>(localizer.hypotheses().size());
+  return judged;
+}
+
+}  // namespace
+
+ExperimentSite loadSite(const ExperimentCase& of_case) {
+  constexpr double kMargin = 0.01;  // m, as the simulation has it
+  const SimulationOptions options = SimulationOptions::from(of_case.simulation);
+  ExperimentSite site;
+  site.site = loadSite(of_case.world, options.furniture);
+  site.free_space =
+      std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
+  site.map = std::make_shared<const OccupancyGrid>(loadMap(of_case.map));
+  site.distance_field = std::make_shared<const DistanceField>(*site.map);
+  return site;
+}
+
+void checkCore(const ExperimentSite& site, const ExperimentCase& of_case,
+               const ExperimentCore& core) {
+  const std::string where = of_case.experiment + ", core '" + core.label + "': ";
+  try {
+    const auto unknown = makeLocalizer(site, core, 1)->unknownKeys();
+    if (unknown.empty()) return;
+    throw std::invalid_argument("unknown option '" + unknown.front() + "'");
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(where + error.what());
+  }
+}
+
+ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase& of_case,
+                               const ExperimentCore& core, int seed) {
+  ExperimentDrive drive(site, of_case, seed);
+  const auto localizer = makeLocalizer(site, core, seed);
+  const LaserMount mount = LaserMount::level(drive.laserMount());
+  ExperimentJudge judge(of_case);
+  judge.begin(of_case.is_start_known ? Trial::Kind::kKnownStart : Trial::Kind::kStart, 0.0,
+              drive.truth());
+  localizer->reset(priorOf(of_case, drive.truth()));
+  while (const auto seen = drive.next()) {
+    if (seen->is_lifted) judge.lift();
+    if (seen->put_down) judge.begin(Trial::Kind::kKidnap, *seen->put_down, drive.truth());
+    judge.observe(update(*localizer, *seen, mount));
+  }
+  ExperimentResult result = judge.finish();
+  result.filter = localizer->options().filter;
+  result.preset = localizer->options().preset;
+  return result;
+}
+
+}  // namespace adaptive_localization

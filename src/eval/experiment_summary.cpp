@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/experiment_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+
+#include "adaptive_localization/eval/metrics.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using Results = std::vector<ExperimentResult>;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+auto rowOf(const ExperimentResult& result) {
+  return std::tie(result.id.experiment, result.id.of_case, result.id.label);
+}
+
+bool isBefore(const ExperimentResult& a, const ExperimentResult& b) {
+  return std::make_pair(rowOf(a), a.id.seed) < std::make_pair(rowOf(b), b.id.seed);
+}
+
+bool isSameRun(const ExperimentResult& a, const ExperimentResult& b) {
+  return rowOf(a) == rowOf(b) && a.id.seed == b.id.seed;
+}
+
+std::vector<Trial> trialsOf(const Results& results) {
+  std::vector<Trial> trials;
+  for (const auto& result : results) {
+    for (const auto& trial : result.trials) {
+      if (trial.kind != Trial::Kind::kKnownStart) trials.push_back(trial);
+    }
+  }
+  return trials;
+}
+
+template <class Item, class Predicate>
+Share shareOf(const std::vector<Item>& items, const Predicate& holds) {
+  const auto count = std::count_if(items.begin(), items.end(), holds);
+  return wilson(static_cast<int>(count), static_cast<int>(items.size()));
+}
+
+template <class Item, class Get>
+std::vector<double> valuesOf(const std::vector<Item>& items, const Get& get) {
+  std::vector<double> values;
+  for (const auto& item : items) values.push_back(static_cast<double>(get(item)));
+  return values;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0.0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+double mean(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : sum(values) / static_cast<double>(values.size());
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+/// The smallest value that at least this share of all reach; without interpolation, since between a
+/// number and never there is nothing.
+std::optional<double> timeOf(std::vector<double> times, double share) {
+  if (times.empty()) return std::nullopt;
+  std::sort(times.begin(), times.end());
+  const double rank = std::ceil(share * static_cast<double>(times.size()) - 1e-9);
+  const double time = times[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  if (time == kNever) return std::nullopt;
+  return time;
+}
+
+void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
+  const auto found = valuesOf(trials, [](const Trial& t) { return t.found_s.value_or(kNever); });
+  const auto told = valuesOf(trials, [](const Trial& t) { return t.told_s.value_or(kNever); });
+  row.found = shareOf(trials, [](const Trial& t) { return t.found_s.has_value(); });
+  row.found_median_s = timeOf(found, 0.5);
+  row.found_p95_s = timeOf(found, 0.95);
+  row.told_median_s = timeOf(told, 0.5);
+  row.told_p95_s = timeOf(told, 0.95);
+  std::copy_if(found.begin(), found.end(), std::back_inserter(row.found_s),
+               [](double time) { return time < kNever; });
+  std::sort(row.found_s.begin(), row.found_s.end());
+  row.silent_failures = shareOf(trials, [](const Trial& t) { return t.is_silent_failure; });
+  row.flagged = shareOf(trials, [](const Trial& t) { return t.searching_tracking == 0; });
+  row.ambiguous = shareOf(trials, [](const Trial& t) { return t.searching_ambiguous > 0; });
+}
+
+void addHonesty(const Results& runs, ExperimentSummary& row) {
+  const auto total = [&](auto member) {
+    return sum(valuesOf(runs, [&](const auto& run) { return run.*member; }));
+  };
+  const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
+  using R = ExperimentResult;
+  const double scans = total(&R::scans);
+  row.settled_h = total(&R::settled_s) / 3600.0;
+  row.left_tracking = static_cast<int>(total(&R::left_tracking));
+  row.false_jumps = static_cast<int>(total(&R::false_jumps));
+  row.jumps_per_run = share(total(&R::jumps), row.runs);
+  row.silently_wrong_share = share(total(&R::silently_wrong), scans);
+  row.silently_wrong_longest_s =
+      largest(valuesOf(runs, [](const R& run) { return run.silently_wrong_s; }));
+  row.carried_tracking_share = share(total(&R::carried_tracking), total(&R::carried));
+  row.carried_jumps = static_cast<int>(total(&R::carried_jumps));
+  row.tracking_share = share(sum(valuesOf(runs,
+                                          [](const R& run) {
+                                            const auto found = run.status.find("tracking");
+                                            return found == run.status.end() ? 0 : found->second;
+                                          })),
+                             scans);
+}
+
+void addModes(const Results& runs, ExperimentSummary& row) {
+  using R = ExperimentResult;
+  row.both_at_end = shareOf(runs, [](const R& run) { return run.has_both_at_end; });
+  row.both_share = mean(valuesOf(runs, [](const R& run) { return run.both_share; }));
+  Results ambiguous;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(ambiguous),
+               [](const R& run) { return run.status.count("ambiguous") > 0; });
+  row.first_mass = mean(valuesOf(ambiguous, [](const R& run) { return run.first_mass; }));
+  row.second_mass = mean(valuesOf(ambiguous, [](const R& run) { return run.second_mass; }));
+}
+
+void addErrors(const Results& runs, ExperimentSummary& row) {
+  using R = ExperimentResult;
+  row.rms_median_m = quantile(valuesOf(runs, [](const R& run) { return run.rms_m; }), 0.5);
+  row.rms_median_deg = quantile(valuesOf(runs, [](const R& run) { return run.rms_deg; }), 0.5);
+  row.max_m = largest(valuesOf(runs, [](const R& run) { return run.max_m; }));
+  for (std::size_t i = 0; i < runs.front().probe_errors_m.size(); ++i) {
+    std::vector<double> errors;
+    for (const auto& run : runs) {
+      if (i < run.probe_errors_m.size()) errors.push_back(run.probe_errors_m[i]);
+    }
+    const double middle = mean(errors);
+    const auto squares = valuesOf(errors, [&](double e) { return (e - middle) * (e - middle); });
+    row.probe_mean_m.push_back(middle);
+    row.probe_std_m.push_back(std::sqrt(mean(squares)));
+  }
+}
+
+void addEffort(const Results& runs, ExperimentSummary& row) {
+  using R = ExperimentResult;
+  row.particles_first = mean(valuesOf(runs, [](const R& run) { return run.particles_first; }));
+  row.particles_mean = mean(valuesOf(runs, [](const R& run) { return run.particles_mean; }));
+  row.particles_max =
+      static_cast<int>(largest(valuesOf(runs, [](const R& run) { return run.particles_max; })));
+  row.update_ms_median =
+      quantile(valuesOf(runs, [](const R& run) { return run.update_ms_median; }), 0.5);
+  row.update_ms_max = largest(valuesOf(runs, [](const R& run) { return run.update_ms_max; }));
+}
+
+ExperimentSummary summarizeRow(const Results& runs) {
+  const ExperimentResult& first = runs.front();
+  for (const auto& run : runs) {
+    if (run.id.settings == first.id.settings) continue;
+    throw std::invalid_argument("results of " + first.id.experiment + "/" + first.id.of_case + "/" +
+                                first.id.label + " were made with different settings");
+  }
+  ExperimentSummary row;
+  row.experiment = first.id.experiment;
+  row.of_case = first.id.of_case;
+  row.label = first.id.label;
+  row.filter = first.filter;
+  row.preset = first.preset;
+  row.runs = static_cast<int>(runs.size());
+  addTrials(trialsOf(runs), row);
+  addHonesty(runs, row);
+  addModes(runs, row);
+  addErrors(runs, row);
+  addEffort(runs, row);
+  return row;
+}
+
+}  // namespace
+
+Share wilson(int count, int of, double z) {
+  if (of <= 0) return {};
+  const double n = of, share = count / n;
+  const double centre = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half =
+      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+  const double low = count == 0 ? 0.0 : centre - half;  // without the rounding
+  const double high = count == of ? 1.0 : centre + half;
+  return {of, count, share, low, high};
+}
+
+std::vector<ExperimentSummary> summarize(std::vector<ExperimentResult> results) {
+  std::stable_sort(results.begin(), results.end(), isBefore);
+  std::vector<ExperimentSummary> rows;
+  for (auto begin = results.begin(); begin != results.end();) {
+    const auto end = std::find_if(
+        begin, results.end(), [&](const auto& result) { return rowOf(result) != rowOf(*begin); });
+    Results runs;
+    std::unique_copy(begin, end, std::back_inserter(runs), isSameRun);
+    rows.push_back(summarizeRow(runs));
+    begin = end;
+  }
+  return rows;
+}
+
+}  // namespace adaptive_localization

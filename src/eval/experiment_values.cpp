@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment_values.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kDegree = kPi / 180.0;
+constexpr Range kSeconds{0.0, 1e6};
+
+/// A path as the experiment's file means it: from its own place.
+std::string resolve(const YamlValue& value) {
+  const fs::path path = fs::path(value.file()).parent_path() / value.text();
+  if (!fs::exists(path)) value.reject("a file or folder that exists, from the place of this file");
+  return path.lexically_normal().string();
+}
+
+std::string contentsOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<Eigen::Vector2d> readRoute(const YamlValue& value) {
+  std::vector<Eigen::Vector2d> route;
+  if (value.node().IsScalar()) {
+    value.oneOf({"random"});
+    return route;
+  }
+  const std::string expected = "random, or a list of points [x, y] in metres";
+  for (const auto& point : value.list(expected)) {
+    const auto xy = point.numbers(2, "a point [x, y] in metres");
+    route.emplace_back(xy[0], xy[1]);
+  }
+  return route;
+}
+
+Parameters readSimulation(const YamlValue& value) {
+  Parameters parameters = value.parameters();
+  for (const char* key : {"world", "start", "seed"}) {
+    if (parameters.has(key)) value.at(key).reject("nothing here: the experiment sets it");
+  }
+  try {
+    SimulationOptions::from(parameters);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("file '" + value.file() + "': '" + value.key() +
+                                "': " + error.what());
+  }
+  for (const auto& key : parameters.unknownKeys()) {
+    value.at(key).reject("a key that p3dx_simulator knows");
+  }
+  return parameters;
+}
+
+void readRegions(const YamlValue& value, Spot& place) {
+  for (const auto& entry : value.list("a list of rectangles [x, y, x, y]")) {
+    const auto corners = entry.numbers(4, "a rectangle [x, y, x, y] in metres");
+    const Eigen::Vector2d a(corners[0], corners[1]), b(corners[2], corners[3]);
+    place.regions.push_back({a.cwiseMin(b), a.cwiseMax(b)});
+  }
+}
+
+}  // namespace
+
+void readWorld(const YamlValue& value, ExperimentCase& result) {
+  const YamlValue world = value.at("world");
+  result.world = result.map = resolve(world);
+  if (fs::is_directory(result.world)) {
+    result.map = (fs::path(result.world) / "map.yaml").string();
+    result.world = (fs::path(result.world) / "world.yaml").string();
+  }
+  if (value.has("map")) result.map = resolve(value.at("map"));
+  for (const auto& file : {result.world, result.map}) {
+    if (!fs::is_regular_file(file))
+      world.reject("a folder with world.yaml and map.yaml, or a file");
+  }
+}
+
+Spot readSpot(const YamlValue& value) {
+  Spot place;
+  if (value.node().IsScalar()) {
+    value.oneOf({"random"});
+  } else if (value.node().IsSequence()) {
+    const auto pose = value.numbers(3, "random, or [x, y, yaw] in metres and radians");
+    place.pose = Pose2{pose[0], pose[1], pose[2]};
+  } else {
+    value.allowOnly({"regions", "yaw", "farther_than"});
+    if (value.has("regions")) readRegions(value.at("regions"), place);
+    if (value.has("farther_than")) place.farther_than = value.at("farther_than").number({0, 1e4});
+    if (value.has("yaw")) {
+      const auto yaw = value.at("yaw").numbers(2, "[low, high] in radians");
+      place.yaw_low = std::min(yaw[0], yaw[1]);
+      place.yaw_high = std::max(yaw[0], yaw[1]);
+    }
+  }
+  return place;
+}
+
+void readDrive(const YamlValue& value, ExperimentCase& result) {
+  if (value.has("start")) result.start = readSpot(value.at("start"));
+  if (value.has("start_known")) result.is_start_known = value.at("start_known").truth();
+  if (value.has("route")) result.route = readRoute(value.at("route"));
+  if (value.has("simulation")) result.simulation = readSimulation(value.at("simulation"));
+  if (!result.simulation.has("drive")) result.simulation.set("drive", OptionValue(true));
+  if (value.has("duration")) result.duration = value.at("duration").number({0.1, 1e6});
+}
+
+ExperimentEvent readEvent(const YamlValue& value) {
+  using What = ExperimentEvent::What;
+  ExperimentEvent event;
+  const std::string what = value.at("what").oneOf({"kidnap", "carry", "block"});
+  event.what = what == "kidnap" ? What::kKidnap : what == "carry" ? What::kCarry : What::kBlock;
+  std::set<std::string> keys{"what", "at", "every"};
+  if (event.what == What::kBlock) {
+    keys.insert({"for", "share", "pattern"});
+    event.share = value.at("share").number(kProbability);
+    if (value.has("pattern")) {
+      event.is_sector = value.at("pattern").oneOf({"scattered", "sector"}) == "sector";
+    }
+  } else {
+    keys.insert("to");
+    if (value.has("to")) event.to = readSpot(value.at("to"));
+  }
+  if (event.what == What::kCarry) {
+    keys.insert({"for", "laser"});
+    if (value.has("laser")) {
+      event.is_garbage = value.at("laser").oneOf({"blocked", "garbage"}) == "garbage";
+    }
+  }
+  value.allowOnly(keys);
+  event.at = value.at("at").number(kSeconds);
+  if (event.what != What::kKidnap) event.duration = value.at("for").number({0.1, 1e6});
+  if (value.has("every")) event.every = value.at("every").number({event.duration + 0.1, 1e6});
+  return event;
+}
+
+SuccessRule readSuccess(const YamlValue& value) {
+  value.allowOnly({"position", "heading", "scans"});
+  SuccessRule rule;
+  if (value.has("position")) rule.position = value.at("position").number({1e-3, 100.0});
+  if (value.has("heading")) rule.heading = value.at("heading").number({1e-3, 180.0}) * kDegree;
+  if (value.has("scans")) rule.scans = value.at("scans").whole({1, 1000});
+  return rule;
+}
+
+ExperimentCore readCore(const YamlValue& value) {
+  value.allowOnly({"label", "filter", "preset", "options"});
+  ExperimentCore core;
+  const std::string filter = value.at("filter").text();
+  core.label = value.has("label") ? value.at("label").text() : filter;
+  if (value.has("options")) core.parameters = value.at("options").parameters();
+  for (const char* key : {"filter", "preset", "seed", "threads"}) {
+    if (core.parameters.has(key)) value.at("options").at(key).reject("it beside options, or not");
+  }
+  core.parameters.set("filter", OptionValue(filter));
+  if (value.has("preset")) {
+    core.parameters.set("preset", OptionValue(value.at("preset").oneOf({"recommended", "seed"})));
+  }
+  return core;
+}
+
+std::string hashOf(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char letter : text) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
+  }
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case) {
+  YAML::Node node = YAML::Clone(value.node());
+  for (const char* key : {"label", "cores", "options", "seeds", "world", "map"}) node.remove(key);
+  return hashOf(YAML::Dump(node) + contentsOf(of_case.world) + contentsOf(of_case.map));
+}
+
+}  // namespace adaptive_localization

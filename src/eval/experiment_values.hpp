@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of an experiment's file.
+#pragma once
+
+#include "adaptive_localization/eval/experiment.hpp"
+#include "yaml_value.hpp"
+
+namespace adaptive_localization {
+
+void readWorld(const YamlValue& value, ExperimentCase& result);
+
+/// Start, route, robot and duration.
+void readDrive(const YamlValue& value, ExperimentCase& result);
+
+Spot readSpot(const YamlValue& value);
+ExperimentEvent readEvent(const YamlValue& value);
+SuccessRule readSuccess(const YamlValue& value);
+ExperimentCore readCore(const YamlValue& value);
+
+/// A hash of what a case says, its world and its map, but for labels, cores and seeds.
+std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case);
+
+/// A hash of a text, 16 hexadecimal digits (FNV-1a).
+std::string hashOf(const std::string& text);
+
+}  // namespace adaptive_localization
