@@ -26,16 +26,20 @@ double largest(const std::vector<double>& values) {
 
 std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   std::vector<double> positions, headings;
-  std::optional<double> found_at;
+  std::optional<double> found_at, tracking_at;
   int lost = 0;
+  int misled = 0;
   for (const auto& step : steps) {
     if (!step.T_map_base_reference) continue;
     const Pose2& reference = *step.T_map_base_reference;
     positions.push_back(distance(step.T_map_base, reference));
     headings.push_back(std::abs(wrapAngle(step.T_map_base.theta - reference.theta)));
     const bool is_found = positions.back() <= kLostDistance && headings.back() <= kLostHeading;
+    const bool is_tracking = step.status == Status::kTracking;
+    if (is_tracking && !tracking_at) tracking_at = step.stamp - steps.front().stamp;
     if (!is_found) {
       ++lost;
+      misled += is_tracking ? 1 : 0;
       found_at.reset();
     } else if (!found_at) {
       found_at = step.stamp - steps.front().stamp;
@@ -52,6 +56,8 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   errors.final_heading_error_deg = kDegrees * headings.back();
   errors.converged_at_s = found_at;
   errors.lost_share = static_cast<double>(lost) / static_cast<double>(positions.size());
+  errors.misled_share = static_cast<double>(misled) / static_cast<double>(positions.size());
+  errors.tracking_at_s = tracking_at;
   return errors;
 }
 

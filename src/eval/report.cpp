@@ -43,6 +43,10 @@ nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& 
   json["converged_at_s"] =
       has_converged ? nlohmann::ordered_json(*metrics.errors->converged_at_s) : null;
   json["lost_share"] = error(&ErrorMetrics::lost_share);
+  json["misled_share"] = error(&ErrorMetrics::misled_share);
+  json["tracking_at_s"] = metrics.errors && metrics.errors->tracking_at_s
+                              ? nlohmann::ordered_json(*metrics.errors->tracking_at_s)
+                              : null;
   json["confidence_mean"] = metrics.confidence_mean;
   return json;
 }

@@ -75,6 +75,17 @@ TEST(Metrics, NeverConvergesWhenLostAtTheEnd) {
   EXPECT_NEAR(errors.lost_share, 0.5, 1e-12);
 }
 
+TEST(Metrics, CountsWhereItSaysTrackingAndIsLost) {
+  auto steps = std::vector<RunStep>{step(5, 9.0), step(6, 9.0), step(7, 0.1), step(8, 0.1)};
+  steps[0].status = Status::kAmbiguous;
+  for (std::size_t i = 1; i < steps.size(); ++i) steps[i].status = Status::kTracking;
+  const ErrorMetrics errors = errorsOf(steps);
+  EXPECT_NEAR(errors.lost_share, 0.5, 1e-12);
+  EXPECT_NEAR(errors.misled_share, 0.25, 1e-12);
+  ASSERT_TRUE(errors.tracking_at_s);
+  EXPECT_NEAR(*errors.tracking_at_s, 1.0, 1e-12);
+}
+
 TEST(Metrics, HasNoErrorsWithoutReference) {
   RunRecord run;
   run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};

@@ -44,6 +44,7 @@ TEST(Report, HoldsTheAgreedKeys) {
                           "final_heading_error_deg",
                           "converged_at_s",
                           "lost_share",
+                          "misled_share",
                           "confidence_mean"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;

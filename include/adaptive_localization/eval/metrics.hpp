@@ -24,6 +24,8 @@ struct ErrorMetrics {
   double final_heading_error_deg{0.0};
   std::optional<double> converged_at_s;  // after the first scan; from there never lost again
   double lost_share{0.0};                // of the scans with a reference
+  double misled_share{0.0};              // lost and said "tracking", of the same
+  std::optional<double> tracking_at_s;   // after the first scan; when it first said "tracking"
 };
 
 /// All numbers of one run.
