@@ -10,6 +10,10 @@ namespace {
 
 constexpr float kFree = std::numeric_limits<float>::infinity();
 
+/// Lines are swept in so many bundles, one beside the other: a cell's own line is a bundle's that
+/// is off by half of one part of a cell at the most.
+constexpr int kBundles = 4;
+
 /// From one line to the next the digital line advances by `shift` (-1, 0, 1) in v; on a slanted
 /// step it passes through one more cell. Distances are measured along the ray, in cells, from where
 /// it leaves the middle of the first line.
@@ -21,14 +25,20 @@ struct LineStep {
   float to_side;              // where the cell in between is entered
 };
 
-/// The step from line t to t + 1 of the digital line v = floor(slope t + 1/2).
-LineStep stepAfter(int t, double slope) {
-  const double length = std::sqrt(1.0 + slope * slope);
-  const double now = std::floor(slope * t + 0.5);
-  const int shift = static_cast<int>(std::floor(slope * (t + 1) + 0.5) - now);
+/// std::floor for what fits into an int, without a call.
+int floorOf(double x) {
+  const int truncated = static_cast<int>(x);
+  return truncated - (x < truncated ? 1 : 0);
+}
+
+/// The step from line t to t + 1 of the digital line v = floor(slope t + start + 1/2).
+LineStep stepAfter(int t, double slope, double start, double length) {
+  const int now = floorOf(slope * t + start + 0.5);
+  const int shift = floorOf(slope * (t + 1) + start + 0.5) - now;
   LineStep step{shift, false, static_cast<float>(length), static_cast<float>(0.5 * length), 0.0F};
   if (shift == 0) return step;
-  const double crossing = (now + 0.5 * shift) / slope - t;  // of the border between v and v + shift
+  // where the border between v and v + shift is crossed
+  const double crossing = (now + 0.5 * shift - start) / slope - t;
   step.side_is_on_this_line = crossing < 0.5;
   step.to_side = static_cast<float>(std::min(crossing, 0.5) * length);
   step.to_next = static_cast<float>(std::max(crossing, 0.5) * length);
@@ -92,6 +102,62 @@ constexpr StepBack kStepBack = stepBackPortable;
 constexpr Round kRound = roundPortable;
 #endif
 
+/// The bundle of lines that passes nearest to the middles of line t's cells.
+int nearestBundle(int t, double slope) {
+  const int nearest = floorOf(-slope * t * kBundles + 0.5) % kBundles;
+  return nearest < 0 ? nearest + kBundles : nearest;
+}
+
+/// Sweeps all lines that start some bundle / kBundles above the middle of a cell.
+class BundleSweep {
+ public:
+  BundleSweep(const SweepMap& map, const Sweep& request)
+      : map_(map),
+        request_(request),
+        length_(std::sqrt(1.0 + request.slope * request.slope)),
+        seen_(static_cast<std::size_t>(map.length + 2)),
+        result_(seen_.size()),
+        steps_(static_cast<std::size_t>(map.length)) {}
+
+  void run(int bundle) {
+    // one border cell at both ends, beyond which nothing is seen
+    std::fill(seen_.begin(), seen_.end(), kFree);
+    std::fill(result_.begin(), result_.end(), kFree);
+    const double start = static_cast<double>(bundle) / kBundles;
+    for (int t = map_.lines - 1; t >= 0; --t) {
+      const int u = request_.sense > 0 ? t : map_.lines - 1 - t;
+      if (t < map_.lines - 1) {
+        const LineStep step = stepAfter(t, request_.slope, start, length_);
+        kStepBack(step, map_.line(u), map_.line(u + request_.sense), seen_.data() + 1, map_.length,
+                  result_.data() + 1);
+        seen_.swap(result_);
+      }
+      const bool is_asked_for = u % request_.spacing == request_.first_u;
+      if (is_asked_for && nearestBundle(t, request_.slope) == bundle) write(u);
+    }
+  }
+
+ private:
+  void write(int u) {
+    std::uint8_t* out =
+        request_.steps + static_cast<std::size_t>(u / request_.spacing) * request_.pitch;
+    if (request_.spacing == 1) {
+      kRound(seen_.data() + 1, map_.length, request_.scale, out);
+      return;
+    }
+    kRound(seen_.data() + 1, map_.length, request_.scale, steps_.data());
+    for (int v = request_.first_v; v < map_.length; v += request_.spacing) {
+      out[v / request_.spacing] = steps_[static_cast<std::size_t>(v)];
+    }
+  }
+
+  const SweepMap& map_;
+  const Sweep& request_;
+  double length_;  // of a step from line to line
+  std::vector<float> seen_, result_;
+  std::vector<std::uint8_t> steps_;
+};
+
 }  // namespace
 
 CellBox knownCells(const OccupancyGrid& map) {
@@ -127,30 +193,8 @@ SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are
 }
 
 void sweep(const SweepMap& map, const Sweep& request) {
-  // one border cell at both ends, beyond which nothing is seen
-  std::vector<float> seen(static_cast<std::size_t>(map.length + 2), kFree);
-  std::vector<float> result(seen.size(), kFree);
-  std::vector<std::uint8_t> steps(static_cast<std::size_t>(map.length));
-  for (int t = map.lines - 1; t >= 0; --t) {
-    const int u = request.sense > 0 ? t : map.lines - 1 - t;
-    if (t < map.lines - 1) {
-      const LineStep step = stepAfter(t, request.slope);
-      kStepBack(step, map.line(u), map.line(u + request.sense), seen.data() + 1, map.length,
-                result.data() + 1);
-      seen.swap(result);
-    }
-    if (u % request.spacing != request.first_u) continue;
-    std::uint8_t* out =
-        request.steps + static_cast<std::size_t>(u / request.spacing) * request.pitch;
-    if (request.spacing == 1) {
-      kRound(seen.data() + 1, map.length, request.scale, out);
-      continue;
-    }
-    kRound(seen.data() + 1, map.length, request.scale, steps.data());
-    for (int v = request.first_v; v < map.length; v += request.spacing) {
-      out[v / request.spacing] = steps[static_cast<std::size_t>(v)];
-    }
-  }
+  BundleSweep sweep(map, request);
+  for (int bundle = 0; bundle < kBundles; ++bundle) sweep.run(bundle);
 }
 
 }  // namespace adaptive_localization

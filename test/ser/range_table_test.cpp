@@ -57,8 +57,8 @@ TEST(RangeTable, IsExactRayCastingForMostPosesOfTheMaze) {
     const RangeTable table(*map, 10.0);
     EXPECT_EQ(table.size(), map->countFree());
     const auto errors = errorsOf(map, table, 20000);
-    EXPECT_LE(errors[errors.size() / 2], 0.6) << resolution;
-    EXPECT_LE(errors[errors.size() * 9 / 10], 1.2) << resolution;
+    EXPECT_LE(errors[errors.size() / 2], 0.3) << resolution;
+    EXPECT_LE(errors[errors.size() * 98 / 100], 1.0) << resolution;
   }
 }
 
