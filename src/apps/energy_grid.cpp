@@ -16,6 +16,7 @@
 
 #include "adaptive_localization/eval/energy_command.hpp"
 #include "adaptive_localization/eval/energy_picture.hpp"
+#include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
@@ -55,6 +56,13 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
 };
+
+std::shared_ptr<const EnergyGrid> build(const OccupancyGrid& map, const ScanGeometry& geometry,
+                                        const EnergyGridOptions& options) {
+  ProgressBar bar(kDirections, true, "directions");
+  return std::make_shared<const EnergyGrid>(map, geometry, options,
+                                            [&bar](std::size_t done) { bar.show(done); });
+}
 
 void printHistogram(const EnergyGrid& grid) {
   constexpr int kBins = 20;
@@ -97,8 +105,7 @@ void run(const EnergyCommand& command) {
   const auto options = command.options.read<EnergyGridOptions>();
   const Scan scan = simulate(command, map, options.energy_max_range);
   const Stopwatch stopwatch;
-  const auto grid =
-      std::make_shared<const EnergyGrid>(*map, geometryOf(scan, options.energy_max_range), options);
+  const auto grid = build(*map, geometryOf(scan, options.energy_max_range), options);
   const double seconds = stopwatch.seconds();
   std::printf("map: %d x %d cells of %.3f m, %zu of them free\n", map->lattice().width(),
               map->lattice().height(), map->lattice().resolution(), map->countFree());

@@ -29,9 +29,9 @@ int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
 }  // namespace
 
 EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
-                       const EnergyGridOptions& options)
+                       const EnergyGridOptions& options, const SweepProgress& progress)
     : EnergyGrid(std::make_shared<const RangeTable>(map, geometry.max_range,
-                                                    spacingFor(map, geometry, options)),
+                                                    spacingFor(map, geometry, options), progress),
                  geometry, options) {}
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,

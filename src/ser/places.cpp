@@ -73,11 +73,20 @@ void Places::keep(Entry entry) {
   entries_.push_back(std::move(entry));
 }
 
-const Places::Entry* Places::entryFor(const Scan& scan) {
+void Places::poll() {
   if (building_.valid() &&
       building_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     keep(building_.get());
   }
+}
+
+std::shared_ptr<const EnergyGrid> Places::newestGrid() {
+  poll();
+  return entries_.empty() ? nullptr : entries_.back().grid;
+}
+
+const Places::Entry* Places::entryFor(const Scan& scan) {
+  poll();
   const ScanGeometry geometry = geometryOf(scan, options_.energy_max_range);
   for (const Entry& entry : entries_) {
     if (suits(entry.geometry, geometry)) return &entry;

@@ -62,7 +62,8 @@ class RangeTableBuilder {
     scale_ = static_cast<float>(map.lattice().resolution() / max_range * kNoReturn);
   }
 
-  void build(std::vector<std::uint32_t>& cells, std::vector<std::uint8_t>& ranges) {
+  void build(std::vector<std::uint32_t>& cells, std::vector<std::uint8_t>& ranges,
+             const SweepProgress& progress) {
     number_.assign(planeSize(), kNoCell);
     for (int y = 0; y < spaced_.height(); ++y) {
       for (int x = 0; x < spaced_.width(); ++x) {
@@ -73,7 +74,7 @@ class RangeTableBuilder {
       }
     }
     ranges.assign(cells.size() * RangeTable::kStride, 0);
-    for (const bool x_is_faster : {true, false}) sweepAll(x_is_faster, ranges.data());
+    for (const bool x_is_faster : {true, false}) sweepAll(x_is_faster, ranges.data(), progress);
   }
 
  private:
@@ -83,7 +84,7 @@ class RangeTableBuilder {
   }
   std::size_t planeSize() const { return at(0, spaced_.height(), spaced_.width()); }
 
-  void sweepAll(bool x_is_faster, std::uint8_t* ranges) {
+  void sweepAll(bool x_is_faster, std::uint8_t* ranges, const SweepProgress& progress) {
     const SweepMap lines = sweepMapOf(map_, box_, x_is_faster);
     const std::vector<int> directions = directionsWith(x_is_faster);
     const auto at_once = std::clamp<std::size_t>(
@@ -96,6 +97,8 @@ class RangeTableBuilder {
         sweepOne(lines, directions[first + chunk.begin], x_is_faster, plane);
       });
       dealOut({directions.data() + first, count}, planes, x_is_faster, ranges);
+      done_ += count;
+      if (progress) progress(done_);
     }
   }
 
@@ -151,17 +154,19 @@ class RangeTableBuilder {
   SpacedBox spaced_;
   int spacing_;
   float scale_;
+  std::size_t done_{0};                // directions
   std::vector<std::uint32_t> number_;  // of each spaced cell, kNoCell where it is not free
 };
 
-RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing)
+RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,
+                       const SweepProgress& progress)
     : lattice_(map.lattice()), max_range_(max_range), spacing_(spacing) {
   if (!(max_range > 0.0) || spacing < 1) {
     throw std::invalid_argument("range table: got max_range " + std::to_string(max_range) +
                                 " and spacing " + std::to_string(spacing) +
                                 ", expected a positive one and at least 1");
   }
-  RangeTableBuilder(map, max_range, spacing).build(cells_, ranges_);
+  RangeTableBuilder(map, max_range, spacing).build(cells_, ranges_, progress);
   if (cells_.empty() && spacing > 1) *this = RangeTable(map, max_range, 1);
   if (cells_.empty()) throw std::invalid_argument("map: got no free cell, expected at least one");
 }

@@ -57,7 +57,7 @@ class EnergyGrid {
  public:
   /// Throws std::invalid_argument if the map has no free cell.
   EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
-             const EnergyGridOptions& options);
+             const EnergyGridOptions& options, const SweepProgress& progress = {});
 
   /// The same for another geometry, with the ranges of one that has the same max_range.
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,

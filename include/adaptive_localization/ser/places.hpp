@@ -36,6 +36,12 @@ class Places {
   /// being made and for a scan without hits. The answer to the same scan again is remembered.
   const std::vector<Place>& search(const Observations& observations);
 
+  /// Whether a grid is being made in the background.
+  bool isBuilding() const { return building_.valid(); }
+
+  /// The grid that was ready last; null before the first. Starts nothing.
+  std::shared_ptr<const EnergyGrid> newestGrid();
+
   /// What there was to say since last asked: damaged cache files, coarser grids.
   std::vector<std::string> takeWarnings();
 
@@ -49,6 +55,7 @@ class Places {
   std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
   const Entry* entryFor(const Scan& scan);
   void keep(Entry entry);
+  void poll();
 
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<const DistanceField> distance_field_;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "adaptive_localization/ser/scan_energy.hpp"
 
 namespace adaptive_localization {
+
+/// Told how many of the kDirections are done, by who makes a table for a large map.
+using SweepProgress = std::function<void(std::size_t)>;
 
 /// Expected ranges from the centre of each free cell in each direction, one byte each: what would
 /// be ray casting, looked up.
@@ -26,7 +30,8 @@ class RangeTable {
 
   /// Every `spacing`-th cell of the map in x and y. Throws std::invalid_argument if the map has no
   /// free cell.
-  RangeTable(const OccupancyGrid& map, double max_range, int spacing = 1);
+  RangeTable(const OccupancyGrid& map, double max_range, int spacing = 1,
+             const SweepProgress& progress = {});
 
   const Lattice& lattice() const { return lattice_; }  // of the map
   double maxRange() const { return max_range_; }
