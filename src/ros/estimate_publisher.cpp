@@ -5,6 +5,8 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <std_msgs/Float32.h>
 
+#include <algorithm>
+
 #include "conversions.hpp"
 #include "status_message.hpp"
 
@@ -18,7 +20,8 @@ DiagnosticStatus::_level_type levelOf(Status status) {
   return status == Status::kLost ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
 }
 
-constexpr std::size_t kModesShown = 5;
+constexpr std::size_t kModesInStatus = 5;
+constexpr std::size_t kModesSent = 100;
 
 }  // namespace
 
@@ -27,6 +30,7 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
     : options_(options),
       pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true)),
       cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
+      modes_(private_node.advertise<geometry_msgs::PoseArray>("modes", 2, true)),
       confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
       status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {
   if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
@@ -48,12 +52,24 @@ void EstimatePublisher::publish(const Localization& answer, const Particles& par
     cloud.header.stamp = ros::Time::now();
     cloud.header.frame_id = options_.global_frame_id;
     cloud_.publish(cloud);
+    publishModes(answer.modes, stamp);
   }
   T_map_odom_ = answer.T_map_odom;
   if (options_.tf_broadcast && options_.tf_rate <= 0.0) sendTransform(answer.T_map_odom, stamp);
   std_msgs::Float32 confidence;
   confidence.data = static_cast<float>(answer.confidence);
   confidence_.publish(confidence);
+}
+
+/// Heaviest first; their masses are in the status.
+void EstimatePublisher::publishModes(const std::vector<Mode>& modes, const ros::Time& stamp) {
+  geometry_msgs::PoseArray message;
+  message.header.stamp = stamp;
+  message.header.frame_id = options_.global_frame_id;
+  for (std::size_t i = 0; i < std::min(modes.size(), kModesSent); ++i) {
+    message.poses.push_back(toPoseMessage(modes[i].T_map_base));
+  }
+  modes_.publish(message);
 }
 
 void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& stamp) {
@@ -72,9 +88,9 @@ void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index p
   DiagnosticStatus status =
       makeStatus("localization", levelOf(answer.status), toText(answer.status));
   add(status, "confidence", print("%.3f", answer.confidence));
-  const auto& modes = answer.estimate.modes;
+  const auto& modes = answer.modes;
   add(status, "modes", std::to_string(modes.size()));
-  for (std::size_t i = 0; i < std::min(modes.size(), kModesShown); ++i) {
+  for (std::size_t i = 0; i < std::min(modes.size(), kModesInStatus); ++i) {
     const Pose2& pose = modes[i].T_map_base;
     add(status, "mode " + std::to_string(i + 1),
         print("mass %.3f at x %.3f m, y %.3f m, yaw %.1f deg", modes[i].mass, pose.x, pose.y,

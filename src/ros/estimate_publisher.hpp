@@ -5,6 +5,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <optional>
+#include <vector>
 
 #include "adaptive_localization/localizer.hpp"
 #include "node_options.hpp"
@@ -12,13 +13,14 @@
 
 namespace adaptive_localization {
 
-/// What the node tells the world: amcl_pose, particlecloud, map -> odom, ~confidence and ~status.
+/// What the node tells the world: amcl_pose, particlecloud, map -> odom, ~modes, ~confidence and
+/// ~status.
 class EstimatePublisher {
  public:
   EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node, const NodeOptions& options);
 
   /// After a scan was used. The transform goes out every time (or at its own
-  /// rate), pose and cloud only after an update.
+  /// rate), pose, cloud and modes only after an update.
   void publish(const Localization& answer, const Particles& particles, const ros::Time& stamp);
 
   /// The status in words with its figures. `ms_per_update` is that of the last update.
@@ -29,11 +31,13 @@ class EstimatePublisher {
   void forgetStamps() { sent_ = {}; }
 
  private:
+  void publishModes(const std::vector<Mode>& modes, const ros::Time& stamp);
   void sendTransform(const Pose2& T_map_odom, const ros::Time& stamp);
 
   const NodeOptions& options_;  // the node's, which may change
   ros::Publisher pose_;
   ros::Publisher cloud_;
+  ros::Publisher modes_;
   ros::Publisher confidence_;
   ros::Publisher status_;
   tf2_ros::TransformBroadcaster broadcaster_;

@@ -11,14 +11,14 @@
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
-
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
-    : parameters_(readParameters(private_node)),
+    : parameters_(withCacheDir(readParameters(private_node))),
       options_(readNodeOptions(parameters_)),
       prior_(startOf(options_)),
       tf_listener_(tf_),
       odometry_(tf_, options_.odom_frame_id, options_.base_frame_id),
       publisher_(node, private_node, options_),
+      display_(private_node, options_),
       pose_keeper_(private_node, options_.save_pose_rate, options_.pose_file),
       scans_(
           node, tf_, options_,
@@ -30,6 +30,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       no_motion_update_(node.advertiseService("request_nomotion_update",
                                               &LocalizationNode::onNoMotionUpdate, this)),
       set_map_(node.advertiseService("set_map", &LocalizationNode::onSetMap, this)),
+      places_(node),
       map_builder_(node, options_, [this](const BuiltMap& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
             [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
@@ -40,6 +41,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
 std::vector<OptionDescription> LocalizationNode::configure(const Parameters& parameters) {
   const auto all = allOptions(parameters);
   if (localizer_) localizer_->configure(parameters);
+  if (localizer_ && haveOtherPlaces(parameters, parameters_)) {
+    localizer_->setMap(map_.grid, map_.field, places_.make(map_, parameters));
+  }
   parameters_ = parameters;
   options_ = liveOptions(parameters, options_);
   pose_keeper_.setRate(options_.save_pose_rate);
@@ -47,9 +51,14 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& par
 }
 
 void LocalizationNode::onMap(const BuiltMap& map) {
-  if (localizer_) return localizer_->setMap(map.grid, map.field);
-  localizer_ = std::make_unique<Localizer>(parameters_, map.grid, map.field);
-  if (prior_) start(*prior_);
+  const auto places = places_.make(map, parameters_);
+  if (localizer_) {
+    localizer_->setMap(map.grid, map.field, places);
+  } else {
+    localizer_ = std::make_unique<Localizer>(parameters_, map.grid, map.field, places);
+    if (prior_) start(*prior_);
+  }
+  map_ = map;
 }
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount) {
@@ -86,6 +95,8 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     pose_keeper_.keep({answer.T_map_base, answer.estimate.covariance}, stamp);
   }
   publisher_.publishStatus(answer, particles.size(), ms_per_update_, scans_.counts());
+  display_.show(answer, scan, localizer_->places(), stamp);
+  places_.prepare(scan);
   return true;
 }
 

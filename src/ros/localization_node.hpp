@@ -12,12 +12,14 @@
 
 #include "adaptive_localization/localizer.hpp"
 #include "continuity.hpp"
+#include "display.hpp"
 #include "estimate_publisher.hpp"
 #include "map_builder.hpp"
 #include "map_source.hpp"
 #include "node_diagnostics.hpp"
 #include "node_options.hpp"
 #include "odometry.hpp"
+#include "places_maker.hpp"
 #include "pose_keeper.hpp"
 #include "reconfigure.hpp"
 #include "scan_source.hpp"
@@ -25,7 +27,7 @@
 namespace adaptive_localization {
 
 /// The ROS node: amcl's topics, services and parameters around a Localizer. One thread, no locks;
-/// only the distances of a new map are computed in another.
+/// only the distances of a new map and its energy grid are computed in others.
 class LocalizationNode {
  public:
   /// Throws std::invalid_argument naming key, value and range when a parameter is wrong.
@@ -61,6 +63,7 @@ class LocalizationNode {
 
   Parameters parameters_;
   NodeOptions options_;
+  BuiltMap map_;
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
   std::optional<Localization> answer_;    // to the last scan
@@ -73,12 +76,14 @@ class LocalizationNode {
   Odometry odometry_;
   OdometryWatch odometry_watch_;
   EstimatePublisher publisher_;
+  Display display_;
   PoseKeeper pose_keeper_;
   ScanSource scans_;
   ros::Subscriber initial_pose_;
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;
   ros::ServiceServer set_map_;
+  PlacesMaker places_;
   MapBuilder map_builder_;
   MapSource maps_;
   NodeDiagnostics diagnostics_;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "display.hpp"
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include "adaptive_localization/ser/places.hpp"
+#include "ser_marker.hpp"
+#include "status_markers.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const ros::WallDuration kPeriod(0.2);
+constexpr std::size_t kMostPoints = 20000;
+
+}  // namespace
+
+Display::Display(ros::NodeHandle private_node, const NodeOptions& options)
+    : options_(options),
+      ser_(private_node.advertise<visualization_msgs::Marker>("ser", 1)),
+      text_(private_node.advertise<visualization_msgs::MarkerArray>("status_text", 1)) {}
+
+void Display::show(const Localization& answer, const Scan& scan, Places& places,
+                   const ros::Time& stamp) {
+  const auto now = ros::WallTime::now();
+  if (now - shown_ < kPeriod) return;
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = options_.global_frame_id;
+  if (text_.getNumSubscribers() > 0) {
+    text_.publish(statusMarkers(header, answer));
+    shown_ = now;
+  }
+  const auto grid = ser_.getNumSubscribers() > 0 ? places.energyGrid(scan) : nullptr;
+  if (!grid) return;
+  ser_.publish(serMarker(header, *grid, scan, kMostPoints));
+  shown_ = now;
+}
+
+}  // namespace adaptive_localization

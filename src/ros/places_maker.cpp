@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "places_maker.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace adaptive_localization {
+namespace {
+
+const ros::WallDuration kPollPeriod(0.005);
+
+template <class Options>
+bool differ(const Parameters& these, const Parameters& those) {
+  const auto a = describe(these.read<Options>());
+  const auto b = describe(those.read<Options>());
+  const auto same = [](const auto& x, const auto& y) { return x.value == y.value; };
+  return !std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+}  // namespace
+
+Parameters withCacheDir(Parameters parameters) {
+  const char* ros_home = std::getenv("ROS_HOME");
+  const char* home = std::getenv("HOME");
+  if (parameters.has("cache_dir") || !(ros_home || home)) return parameters;
+  const std::string parent = ros_home ? ros_home : std::string(home) + "/.ros";
+  parameters.set("cache_dir", OptionValue(parent + "/adaptive_localization"));
+  return parameters;
+}
+
+bool haveOtherPlaces(const Parameters& these, const Parameters& those) {
+  return differ<EnergyGridOptions>(these, those) || differ<GlobalSearchOptions>(these, those);
+}
+
+PlacesMaker::PlacesMaker(ros::NodeHandle node) {
+  timer_ = node.createWallTimer(
+      kPollPeriod, [this](const ros::WallTimerEvent&) { poll(); }, false, false);
+}
+
+std::shared_ptr<Places> PlacesMaker::make(const BuiltMap& map, const Parameters& parameters) {
+  if (places_ && places_->isBuilding()) retired_.push_back(places_);
+  places_ = std::make_shared<Places>(map.grid, map.field, parameters.read<EnergyGridOptions>(),
+                                     parameters.read<GlobalSearchOptions>(),
+                                     Places::Build::kInBackground);
+  known_ = nullptr;
+  is_building_ = false;
+  built_ = 0;
+  return places_;
+}
+
+void PlacesMaker::prepare(const Scan& scan) {
+  constexpr int kLasers = 4;
+  if (!places_) return;
+  if (built_ < kLasers) places_->energyGrid(scan);
+  if (is_building_ || !places_->isBuilding()) return;
+  ROS_INFO("Building the energy grid");
+  is_building_ = true;
+  ++built_;
+  begun_ = ros::WallTime::now();
+  timer_.start();
+}
+
+void PlacesMaker::poll() {
+  const auto has_ended = [](const auto& places) {
+    return places->newestGrid(), !places->isBuilding();
+  };
+  retired_.erase(std::remove_if(retired_.begin(), retired_.end(), has_ended), retired_.end());
+  const auto grid = places_->newestGrid();
+  for (const auto& warning : places_->takeWarnings()) ROS_WARN("%s", warning.c_str());
+  if (places_->isBuilding()) return;
+  if (retired_.empty()) timer_.stop();
+  is_building_ = false;
+  if (grid == known_) return;
+  known_ = grid;
+  ROS_INFO("Energy grid ready: %zu poses, %.1f MB, %s in %.3f s", grid->size(),
+           1e-6 * static_cast<double>(grid->bytes()), "built",
+           (ros::WallTime::now() - begun_).toSec());
+}
+
+}  // namespace adaptive_localization
