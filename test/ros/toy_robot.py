@@ -70,6 +70,7 @@ class ToyRobotCase(LocalizationCase):
 
     def setUp(self):
         super().setUp()
+        self.view = math.pi
         self.pose = (1.5, 1.0, 0.3)
         self.odometry = (0.0, 0.0, 0.0)
         self.time = rospy.Time.now()
@@ -100,11 +101,11 @@ class ToyRobotCase(LocalizationCase):
     def scan_message(self, mount=None, frame="laser", beams=181):
         message = LaserScan()
         message.header.frame_id, message.header.stamp = frame, self.time
-        message.angle_min, message.angle_max = -math.pi / 2, math.pi / 2
-        message.angle_increment = math.pi / (beams - 1)
+        message.angle_min, message.angle_max = -self.view / 2, self.view / 2
+        message.angle_increment = self.view / (beams - 1)
         message.range_max = 20.0
         x, y, yaw = compose(self.pose, mount or self.MOUNT)
-        message.ranges = [distance_to_wall(x, y, yaw - math.pi / 2 + i * message.angle_increment)
+        message.ranges = [distance_to_wall(x, y, yaw + message.angle_min + i * message.angle_increment)
                           for i in range(beams)]
         return message
 

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The robot is carried away while it drives, and nobody tells the node: it notices, says so, and
+finds the robot within seconds; likewise when it is asked to look anywhere."""
+import math
+import sys
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import PoseStamped
+from localization_case import LocalizationCase
+from std_srvs.srv import Empty
+
+PLACES = [(5.5, 2.7, 0.0), (2.6, 0.5, 1.0), (6.4, 1.4, -1.57), (1.5, 2.8, 3.0)]
+PATIENCE = 3.0  # s of simulated time until a carried robot is found
+GLOBAL_PATIENCE = 2.0  # s, likewise after global_localization
+
+
+class Kidnap(LocalizationCase):
+    def setUp(self):
+        super().setUp()
+        self.words = []  # (stamp, status)
+        self.subscribers.append(
+            rospy.Subscriber("adaptive_localization/status", DiagnosticStatus,
+                             lambda status: self.words.append((rospy.get_time(), status.message))))
+        self.kidnaps = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
+        self.wait_for(lambda: self.kidnaps.get_num_connections() > 0, "the simulator")
+        self.wait_for(lambda: self.is_accurate(0.0) and self.status() == "tracking", "tracking")
+
+    def carry_to(self, x, y, yaw):
+        message = PoseStamped()
+        message.header.frame_id = "map"
+        message.pose.position.x, message.pose.position.y = x, y
+        message.pose.orientation.z = math.sin(yaw / 2)
+        message.pose.orientation.w = math.cos(yaw / 2)
+        self.kidnaps.publish(message)
+        self.wait_for(lambda: math.dist(self.truths[-1][1:3], (x, y)) < 0.3, "the robot carried")
+
+    def next_word(self, since, is_wanted):
+        """The first status, with its stamp, that is of this kind."""
+        return next((word for word in list(self.words) if word[0] > since and is_wanted(word[1])),
+                    None)
+
+    def assert_found_within(self, patience, begin):
+        """From this stamp on the node does not know, then it does, and what it says is true."""
+        away, word = self.wait_for(lambda: self.next_word(begin, lambda w: w != "tracking"),
+                                   "the node to notice")
+        self.assertIn(word, ["lost", "ambiguous", "globalizing"])
+        back, _ = self.wait_for(lambda: self.next_word(away, lambda w: w == "tracking"),
+                                "the robot to be found")
+        self.wait_for(lambda: len(self.errors(back)) >= 10, "ten more poses")
+        for stamp, metres, degrees in self.errors(back):
+            self.assertLess(metres, 0.2, "%.1f s after tracking was said" % (stamp - back))
+            self.assertLess(degrees, 8.0, "%.1f s after tracking was said" % (stamp - back))
+        print("%s after %.1f s, tracking after %.1f s" % (word, away - begin, back - begin))
+        self.assertLess(back - begin, patience)
+
+    def test_a_carried_robot_is_found_again(self):
+        for place in PLACES:
+            with self.subTest(place=place):
+                begin = rospy.get_time()
+                self.carry_to(*place)
+                self.assert_found_within(PATIENCE, begin)
+
+    def test_global_localization_takes_two_seconds(self):
+        for _ in range(5):
+            rospy.ServiceProxy("global_localization", Empty)()
+            begin = rospy.get_time()
+            self.wait_for(lambda: self.is_accurate(begin) and self.status() == "tracking",
+                          "the robot to be found")
+            wrong = [s for s, metres, degrees in self.errors(begin) if metres > 0.2 or degrees > 8.0]
+            took = min(s for s, _, _ in self.errors(begin) if s > max(wrong, default=0)) - begin
+            print("found after %.1f s" % took)
+            self.assertLess(took, GLOBAL_PATIENCE)
+            self.wait_for_time(1.0)
+
+
+if __name__ == "__main__":
+    rospy.init_node("kidnap_test")
+    rostest.rosrun("adaptive_localization", "kidnap", Kidnap, sys.argv)
