@@ -5,13 +5,32 @@
 #include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/rng.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
-constexpr int kLostScans = 2;      // contradictions in a row that make other places worth a thought
+constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
+
+/// Particles around places, as many around each as its mass says.
+Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
+  Particles particles(count);
+  double upto = 0.0;
+  Eigen::Index i = 0;
+  for (const Mode& mode : modes) {
+    upto += mode.mass * static_cast<double>(count);
+    const Eigen::Vector3d deviation = mode.covariance.diagonal().cwiseSqrt();
+    for (; i < count && static_cast<double>(i) < upto; ++i) {
+      particles.setPose(i, {rng.normal(mode.T_map_base.x, deviation.x()),
+                            rng.normal(mode.T_map_base.y, deviation.y()),
+                            wrapAngle(rng.normal(mode.T_map_base.theta, deviation.z()))});
+    }
+  }
+  for (; i > 0 && i < count; ++i) particles.setPose(i, particles.pose(0));  // masses rounded down
+  return particles;
+}
 
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
@@ -102,7 +121,7 @@ void Localizer::reset(const Prior& prior) {
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   if (from_anywhere_) {
-    rivals_->open(false);
+    rivals_->open();
   } else {
     rivals_->close();
   }
@@ -172,17 +191,34 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
 }
 
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
+  const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   last_.estimate = filter_->update(motion, observations);
   confidence_->observe(last_.estimate, observations);
-  if (rivals_->isSettled() && confidence_->contradictions() >= kLostScans) {
-    rivals_->open(converged_);
-  }
   rivals_->observe(motion, last_.estimate.T_map_base, observations);
+  if (rivals_->isSettled() && isDoubtful(T_map_base_expected)) {
+    rivals_->open(T_map_base_expected);
+    rivals_->observe({}, last_.estimate.T_map_base, observations);
+  }
+  if (setup_.options.relocalize && rivals_->contradictions() >= kLostScans) relocalize();
   last_.status = judge();
   converged_ = converged_ || last_.status == Status::kTracking;
   last_.modes = rivals_->modes().empty() ? last_.estimate.modes : rivals_->modes();
   last_.confidence = confidence_->value() * rivals_->shareOf(last_.estimate.T_map_base);
   last_.updated = true;
+}
+
+/// Moves the filter to the places that are left.
+void Localizer::relocalize() {
+  constexpr Eigen::Index kParticles = 2000;
+  Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++relocalizations_);
+  filter_->reset(Prior(drawFrom(rivals_->modes(), kParticles, rng)));
+  last_.estimate = filter_->estimate();
+}
+
+/// Where scans contradict the map, or the filter jumps, other places are worth a thought.
+bool Localizer::isDoubtful(const Pose2& T_map_base_expected) const {
+  const bool jumped = !areSamePlace(T_map_base_expected, last_.estimate.T_map_base);
+  return confidence_->contradictions() >= kLostScans || (converged_ && jumped);
 }
 
 Status Localizer::judge() const {

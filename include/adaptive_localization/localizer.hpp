@@ -26,6 +26,7 @@ struct LocalizerOptions {
   int threads{1};
   double update_min_d{0.1};
   double update_min_a{0.05};
+  bool relocalize{false};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -40,6 +41,8 @@ struct LocalizerOptions {
            "Distance to travel before the filter is updated.");
     option("update_min_a", update_min_a, kNotNegative, "rad",
            "Angle to turn before the filter is updated.");
+    option("relocalize", relocalize,
+           "Move the filter to the places that explain the scans once they rule out its own.");
   }
 };
 
@@ -136,6 +139,8 @@ class Localizer {
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
+  void relocalize();
+  bool isDoubtful(const Pose2& T_map_base_expected) const;
   Status judge() const;
 
   FilterRegistry registry_;
@@ -149,6 +154,7 @@ class Localizer {
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};
   bool update_requested_{false};
+  std::uint64_t relocalizations_{0};
   std::optional<Pose2> T_odom_base_at_update_;
   Localization last_;
 };

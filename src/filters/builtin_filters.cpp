@@ -106,7 +106,8 @@ std::vector<FilterDescription> builtinFilters() {
   filters.push_back(particleFilter("amcl",
                                    "KLD-sampling that looks elsewhere when likelihoods fall "
                                    "(augmented MCL).",
-                                   Size::kKld, Looks::kAugmented, {}, stockAmcl()));
+                                   Size::kKld, Looks::kAugmented, {{"relocalize", true}},
+                                   stockAmcl()));
   filters.push_back(particleFilter(
       "samcl",
       "Fixed number of particles; where none explains the scans, looks in the Similar Energy "
@@ -117,7 +118,7 @@ std::vector<FilterDescription> builtinFilters() {
   filters.push_back(particleFilter(
       "sa_kld",
       "SAMCL with as many particles as KLD-sampling asks for, from the first scan on (SA-KLD).",
-      Size::kKld, Looks::kKidnapTest, {},
+      Size::kKld, Looks::kKidnapTest, {{"relocalize", true}},
       Preset{{"kidnap_arm_particles", 1000}} + sourceOfSamcl() + sourceOfKld() + sourceOfAll()));
   return filters;
 }

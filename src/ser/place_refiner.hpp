@@ -9,9 +9,6 @@
 
 namespace adaptive_localization {
 
-/// Half a metre and 20 degrees: nearer poses are one place.
-bool areSamePlace(const Pose2& a, const Pose2& b);
-
 /// The first of each group of places that are one.
 std::vector<Place> distinctPlaces(const std::vector<Place>& places);
 

@@ -12,6 +12,7 @@ namespace {
 constexpr double kTruncation = 0.5;     // m; range errors beyond tell no more
 constexpr double kKnownBonus = 3.0;     // most lost robots were not carried away
 constexpr double kLateMalus = 3.0;      // of places that an earlier search did not find
+constexpr double kExplained = 0.2;      // m, mean range error of a scan that a place explains
 constexpr double kSearchWay = 1.0;      // m or rad between searches while places are left
 constexpr int kLongestPause = 8;        // scans between searches that find nothing
 constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
@@ -36,16 +37,16 @@ Rivals::Rivals(const RivalsOptions& options, std::shared_ptr<const OccupancyGrid
       field_(std::move(field)),
       places_(std::move(places)) {}
 
-void Rivals::open(bool was_known) {
+void Rivals::open(const std::optional<Pose2>& T_map_base) {
   close();
   settled_ = false;
-  was_known_ = was_known;
+  if (T_map_base) hypotheses_.push_back({*T_map_base, kKnownBonus, 0.0});
 }
 
 void Rivals::close() {
   settled_ = true;
-  searched_ = was_known_ = false;
-  scans_until_search_ = pause_ = 0;
+  searched_ = explained_ = false;
+  scans_until_search_ = pause_ = contradictions_ = 0;
   way_ = options_.rival_distance;  // the first scan counts in full
   way_since_search_ = 0.0;
   hypotheses_.clear();
@@ -55,7 +56,8 @@ void Rivals::close() {
 void Rivals::goOnFrom(const Rivals& other) {
   settled_ = other.settled_;
   searched_ = other.searched_;
-  was_known_ = other.was_known_;
+  explained_ = other.explained_;
+  contradictions_ = other.contradictions_;
   scans_until_search_ = other.scans_until_search_;
   pause_ = other.pause_;
   way_ = other.way_;
@@ -96,11 +98,11 @@ void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) {
   hypothesis.error = place.error;
 }
 
-/// Where the filter believes to be counts as well, whether the search finds it or not.
+/// Where the filter believes to be counts as well, once something is known, whether the search
+/// finds it or not.
 void Rivals::believe(const PlaceRefiner& refiner, const Pose2& T_map_base) {
-  const bool is_first = hypotheses_.empty() && !searched_;
-  if (knows(T_map_base) || (is_first && !was_known_)) return;
-  Hypothesis believed{T_map_base, is_first ? kKnownBonus : best() - kLateMalus, 0.0};
+  if (hypotheses_.empty() || knows(T_map_base)) return;
+  Hypothesis believed{T_map_base, best() - kLateMalus, 0.0};
   align(refiner, believed);
   hypotheses_.push_back(believed);
 }
@@ -117,20 +119,19 @@ double Rivals::best() const {
   return best;
 }
 
-/// While nothing is found each scan may be the one that tells, but searching is not free.
+/// While no place explains the scans each may be the one that tells, but searching is not free.
 bool Rivals::searchIsDue() {
-  if (!searched_) return --scans_until_search_ < 0;
+  if (!searched_ || !explained_) return --scans_until_search_ < 0;
   return way_since_search_ > kSearchWay;
 }
 
 void Rivals::search(const Observations& observations) {
   const std::vector<Place>& places = places_->search(observations);
   way_since_search_ = 0.0;
-  if (places.empty()) {
-    pause_ = std::min(kLongestPause, 2 * pause_ + 1);
-    scans_until_search_ = pause_;
-    return;
-  }
+  explained_ = !places.empty() && places.front().error < kExplained;
+  pause_ = explained_ ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
+  scans_until_search_ = pause_;
+  if (places.empty()) return;
   const double entry = searched_ ? best() - kLateMalus : 0.0;
   for (const Place& place : places) {
     if (!knows(place.T_map_base)) hypotheses_.push_back({place.T_map_base, entry, place.error});
@@ -141,8 +142,10 @@ void Rivals::search(const Observations& observations) {
 void Rivals::weigh(double share) {
   double least = kTruncation;
   for (const auto& hypothesis : hypotheses_) least = std::min(least, hypothesis.error);
+  explained_ = least < kExplained;
   for (auto& hypothesis : hypotheses_) {
-    const double excess = hypothesis.error - least - options_.rival_tolerance;
+    const double excess = hypothesis.error - (1.0 + options_.rival_tolerance_share) * least -
+                          options_.rival_tolerance;
     hypothesis.log_likelihood -=
         share * options_.rival_beams * std::max(0.0, excess) / options_.rival_scale;
   }
@@ -172,6 +175,8 @@ void Rivals::conclude(const Pose2& T_map_base) {
   }
   for (Mode& mode : modes_) mode.mass /= sum;
   settled_ = searched_ && modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
+  contradictions_ = explained_ && !knows(T_map_base) ? contradictions_ + 1 : 0;
+  if (settled_) close();
 }
 
 }  // namespace adaptive_localization

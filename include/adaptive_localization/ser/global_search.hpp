@@ -35,6 +35,9 @@ struct Place {
   double error{0.0};  // mean truncated range error per beam, m
 };
 
+/// Nearer than half a metre and 20 degrees.
+bool areSamePlace(const Pose2& a, const Pose2& b);
+
 /// A pose of the search's lattice: a cell of the range table and the direction of beam 0.
 struct SearchPose {
   std::uint32_t cell;

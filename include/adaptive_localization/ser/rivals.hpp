@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "adaptive_localization/filter.hpp"
@@ -16,6 +17,7 @@ struct RivalsOptions {
   double rival_margin{6.0};
   double rival_scale{0.1};
   double rival_tolerance{0.015};
+  double rival_tolerance_share{0.25};
   double rival_beams{15.0};
   double rival_distance{0.3};
 
@@ -29,6 +31,9 @@ struct RivalsOptions {
            "beam.");
     option("rival_tolerance", rival_tolerance, kNotNegative, "m",
            "Differences of the mean range error below this tell nothing: maps are no better.");
+    option("rival_tolerance_share", rival_tolerance_share, kNotNegative, "",
+           "The tolerance grows by this share of the least error: where even the best place leaves "
+           "much unexplained, a little more tells nothing.");
     option("rival_beams", rival_beams, kPositive, "",
            "How many independent beams a scan is worth when places are compared.");
     option("rival_distance", rival_distance, kPositive, "m",
@@ -42,7 +47,7 @@ struct RivalsOptions {
 /// The places come from the global search. Each is moved with the odometry, aligned with each scan,
 /// and judged by its mean truncated range error e against the least of all:
 ///
-///     log likelihood -= w beams max(0, e - e_min - tolerance) / scale
+///     log likelihood -= w beams max(0, e - (1 + share) e_min - tolerance) / scale
 ///
 /// w <= 1 is the share of the scan that is new: the way travelled since the last one over
 /// rival_distance. Unlike the modes of a particle cloud, masses of places that look the same do not
@@ -52,9 +57,9 @@ class Rivals {
   Rivals(const RivalsOptions& options, std::shared_ptr<const OccupancyGrid> map,
          std::shared_ptr<const DistanceField> field, std::shared_ptr<Places> places);
 
-  /// The robot may be anywhere from now on; if it `was_known`, most likely where it was thought to
+  /// The robot may be anywhere from now on; most likely, if that is given, where it was thought to
   /// be.
-  void open(bool was_known);
+  void open(const std::optional<Pose2>& T_map_base = std::nullopt);
 
   /// Somebody says where the robot is: there are no rivals.
   void close();
@@ -66,13 +71,17 @@ class Rivals {
   /// be.
   void observe(const Pose2& motion, const Pose2& T_map_base, const Observations& observations);
 
+  /// Scans in a row that ruled out the place that the filter believes in, while another explains
+  /// them.
+  int contradictions() const { return contradictions_; }
+
   /// No other place than the one believed in explains what was seen.
   bool isSettled() const { return settled_; }
 
   /// The mass of the place around a pose; 1 if there are no rivals at all.
   double shareOf(const Pose2& T_map_base) const;
 
-  /// The places left, most likely first, with their masses; one, once settled by scans.
+  /// The places left, most likely first, with their masses; empty once settled.
   const std::vector<Mode>& modes() const { return modes_; }
 
  private:
@@ -96,8 +105,9 @@ class Rivals {
   std::shared_ptr<const DistanceField> field_;
   std::shared_ptr<Places> places_;
   bool settled_{true};
-  bool searched_{false};
-  bool was_known_{false};
+  bool searched_{false};  // and something was found
+  int contradictions_{0};
+  bool explained_{false};  // some place explains the last scan
   int scans_until_search_{0};
   int pause_{0};     // scans between searches that find nothing
   double way_{0.0};  // since the last scan that counted
