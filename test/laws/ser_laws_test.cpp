@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must hold of energies, similar energy regions and the search, whatever the map and scan.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "../ser/ser_toys.hpp"
+#include "support/random_grid.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A scan as the table itself has it, with a beam in each of `count` directions from beam 0's.
+DirectionalScan scanOf(const RangeTable& table, std::size_t cell, int direction, int count) {
+  DirectionalScan scan;
+  scan.range.fill(-1);
+  scan.valid = count;
+  for (int k = 0; k < count; ++k) {
+    scan.range[static_cast<std::size_t>(k)] = table.ranges(cell)[(direction + k) % kDirections];
+  }
+  return scan;
+}
+
+/// The same as a laser would give it.
+Scan asScan(const DirectionalScan& beams, const ScanGeometry& geometry) {
+  LaserScan message;
+  message.angle_min = geometry.first * kDirectionStep + geometry.offset;
+  message.angle_increment = kDirectionStep;
+  message.range_max = 2.0 * geometry.max_range;
+  for (int k = 0; k < geometry.count; ++k) {
+    const int range = beams.range[static_cast<std::size_t>(k)];
+    message.ranges.push_back(
+        range < 0 ? std::nanf("")
+        : range == kNoReturn
+            ? std::numeric_limits<float>::infinity()
+            : static_cast<float>(std::max(1e-3, range * geometry.max_range / kNoReturn)));
+  }
+  return toScan(message);
+}
+
+/// Sum of the ranges of 30 beams, 6 degrees apart.
+int sumOf(const std::uint8_t* ranges, int direction) {
+  int sum = 0;
+  for (int i = 0; i < 30; ++i) sum += ranges[(direction + 3 * i) % kDirections];
+  return sum;
+}
+
+TEST(EnergyLaw, DifferenceOfEnergiesIsNeverMoreThanThatOfRanges) {
+  const MapPtr map = maze();
+  const RangeTable table(*map, 10.0);
+  Rng rng(1);
+  for (int n = 0; n < 100000; ++n) {
+    const std::uint8_t* a = table.ranges(rng.below(table.size()));
+    const std::uint8_t* b = table.ranges(rng.below(table.size()));
+    const int at_a = static_cast<int>(rng.below(kDirections));
+    const int at_b = static_cast<int>(rng.below(kDirections));
+    int distance = 0;
+    for (int i = 0; i < 30; ++i) {
+      distance += std::abs(a[(at_a + 3 * i) % kDirections] - b[(at_b + 3 * i) % kDirections]);
+    }
+    ASSERT_LE(std::abs(sumOf(a, at_a) - sumOf(b, at_b)), distance);
+  }
+}
+
+TEST(EnergyLaw, RegionIsWhatAFilterOfAllPosesGives) {
+  const MapPtr map = smallRoom();
+  const auto grid = gridOf(map);
+  Rng rng(2);
+  for (int n = 0; n < 500; ++n) {
+    const ScanEnergy energy{rng.uniform(-0.2, 1.2), n % 10 == 0 ? 0.0 : rng.uniform(0.0, 0.5)};
+    const auto region = grid->similarTo(energy);
+    ASSERT_LE(region.begin, region.end);
+    ASSERT_LE(region.end, grid->size());
+    for (std::size_t i = 0; i < grid->size(); ++i) {
+      const double off = std::abs(grid->energy(i) - energy.value);
+      if (std::abs(off - energy.delta) < 1e-12) continue;  // on the border: rounding decides
+      ASSERT_EQ(region.begin <= i && i < region.end, off < energy.delta)
+          << energy.value << " " << i;
+    }
+  }
+}
+
+/// Which row of the table a pose of a grid is, and which of its directions is beam 0's.
+std::pair<std::size_t, int> rowOf(const EnergyGrid& grid, const Pose2& pose) {
+  const RangeTable& table = grid.ranges();
+  const Cell at = table.lattice().cellAt({pose.x, pose.y});
+  std::size_t row = 0;
+  while (table.cell(row).x != at.x || table.cell(row).y != at.y) ++row;
+  const double turned =
+      wrapAngle(pose.theta - table.lattice().origin().theta - grid.geometry().headingOf(0));
+  const int direction = static_cast<int>(std::lround(turned / kDirectionStep));
+  return {row, (direction + kDirections) % kDirections};
+}
+
+TEST(EnergyLaw, RegionOfAPerfectScanHoldsItsPose) {
+  Rng rng(3);
+  for (const double occupied : {0.0, 0.01, 0.1, 0.4}) {
+    const MapPtr map = randomGrid(rng, Lattice(30, 20, 0.2, {1.0, 2.0, 3.0}), occupied);
+    for (const int count : {1, 45, 91, 136, 180}) {
+      ScanGeometry geometry = halfCircle(4.0);
+      geometry.count = count;
+      const auto grid = gridOf(map, geometry);
+      for (std::size_t i = rng.below(50); i < grid->size(); i += 50) {
+        const auto [row, direction] = rowOf(*grid, grid->pose(i));
+        const Scan scan = asScan(scanOf(grid->ranges(), row, direction, count), geometry);
+        const auto energy = grid->energyOf(scan);
+        ASSERT_TRUE(energy);
+        ASSERT_NEAR(energy->value, grid->energy(i), 1e-9);
+        ASSERT_GE(energy->value, 0.0);
+        ASSERT_LE(energy->value, 1.0);
+        const auto region = grid->similarTo(*energy);
+        ASSERT_TRUE(region.begin <= i && i < region.end);
+      }
+    }
+  }
+}
+
+class SearchLaw : public testing::Test {
+ protected:
+  void use(const MapPtr& map, const GlobalSearchOptions& options = {}) {
+    grid_ = gridOf(map);
+    options_ = options;
+    search_ = searchOn(grid_, map, options);
+  }
+
+  /// A pose's own scan with noise and a share of beams that read anything or nothing.
+  DirectionalScan noisyScan(double wrong) {
+    const RangeTable& table = grid_->ranges();
+    const std::size_t cell = rng_.below(table.size());
+    DirectionalScan scan = scanOf(table, cell, static_cast<int>(rng_.below(kDirections)), 91);
+    scan.valid = 0;
+    for (std::size_t k = 0; k < 91; ++k) {
+      auto& range = scan.range[k];
+      const auto noisy = static_cast<int>(std::lround(range + rng_.normal(0.0, 1.5)));
+      range = static_cast<std::int16_t>(std::clamp(noisy, 0, kNoReturn));
+      if (rng_.uniform() < wrong) range = static_cast<std::int16_t>(rng_.below(257)) - 1;
+      scan.valid += range >= 0 ? 1 : 0;
+    }
+    return scan;
+  }
+
+  void expectSameAsPlain(const DirectionalScan& scan) {
+    const auto fast = search_->findPoses(scan);
+    const auto plain = search_->findPosesPlainly(scan);
+    ASSERT_FALSE(plain.empty());
+    ASSERT_EQ(fast.size(), plain.size());
+    for (std::size_t i = 0; i < fast.size(); ++i) {
+      ASSERT_EQ(fast[i].cell, plain[i].cell);
+      ASSERT_EQ(fast[i].direction, plain[i].direction);
+      ASSERT_EQ(fast[i].cost, plain[i].cost);
+    }
+  }
+
+  /// The cost by its formula.
+  int costOf(const DirectionalScan& scan, std::size_t cell, int direction) const {
+    const RangeTable& table = grid_->ranges();
+    const int truncation =
+        static_cast<int>(std::lround(options_.search_truncation / table.metresPerStep()));
+    int cost = 0;
+    for (int k = 0; k < kDirections; ++k) {
+      const int range = scan.range[static_cast<std::size_t>(k)];
+      const int seen = table.ranges(cell)[(direction + k) % kDirections];
+      if (range >= 0) cost += std::min(std::abs(range - seen), truncation);
+    }
+    return cost;
+  }
+
+  std::shared_ptr<const EnergyGrid> grid_;
+  GlobalSearchOptions options_;
+  std::unique_ptr<GlobalSearch> search_;
+  Rng rng_{4};
+};
+
+TEST_F(SearchLaw, PlainSearchIsTheFormula) {
+  use(smallRoom());
+  for (int n = 0; n < 20; ++n) {
+    const DirectionalScan scan = n % 2 == 0 ? noisyScan(0.1) : randomScan(rng_, 91);
+    const auto found = search_->findPosesPlainly(scan);
+    int best = 1 << 30;
+    std::size_t within = 0;
+    const int margin =
+        static_cast<int>(std::ceil(0.05 * scan.valid / grid_->ranges().metresPerStep()));
+    for (const bool is_counting : {false, true}) {
+      for (std::size_t cell = 0; cell < grid_->ranges().size(); ++cell) {
+        for (int d = 0; d < kDirections; ++d) {
+          const int cost = costOf(scan, cell, d);
+          best = std::min(best, cost);
+          within += is_counting && cost <= best + margin ? 1 : 0;
+        }
+      }
+    }
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found.front().cost, best);
+    EXPECT_EQ(found.size(), within);
+    for (const SearchPose& pose : found) {
+      ASSERT_EQ(pose.cost, costOf(scan, pose.cell, pose.direction));
+    }
+  }
+}
+
+TEST_F(SearchLaw, FindsWhatLookingAtEveryPoseFinds) {
+  use(toyWorld({"########", "#...#..#", "#......#", "#.#....#", "########"}, 0.5));
+  for (int n = 0; n < 5000; ++n) {
+    ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(noisyScan(rng_.uniform(0.0, 0.4)))) << n;
+    ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(randomScan(rng_, 91))) << n;
+  }
+}
+
+TEST_F(SearchLaw, HoldsForAnyTruncationAndMargin) {
+  for (const double truncation : {0.01, 0.1, 2.0, 100.0}) {
+    for (const double margin : {0.0, 0.02, 0.5}) {
+      GlobalSearchOptions options;
+      options.search_truncation = truncation;
+      options.search_margin = margin;
+      use(smallRoom({1.0, 1.0, 1.0}), options);
+      for (int n = 0; n < 50; ++n) {
+        ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(noisyScan(0.1))) << truncation << " " << margin;
+      }
+    }
+  }
+}
+
+TEST_F(SearchLaw, HoldsOnTheMazeForAFractionOfTheWork) {
+  use(maze());
+  std::vector<double> visited;
+  for (int n = 0; n < 200; ++n) {
+    const DirectionalScan scan = noisyScan(0.05);
+    search_->findPoses(scan);
+    visited.push_back(search_->visitedShare());
+    ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(scan)) << n;
+  }
+  std::sort(visited.begin(), visited.end());
+  EXPECT_LE(visited[visited.size() / 2], 0.05);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
