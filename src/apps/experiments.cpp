@@ -42,7 +42,7 @@ void report(const ExperimentCommand& command, const std::vector<ExperimentResult
     saveJson(json, command.json_file);
   }
   if (!command.plot_file.empty()) savePlot(summaries, command.plot_file);
-  if (!command.is_quiet) std::cout << toTable(summaries);
+  if (!command.is_quiet) std::cout << toTables(summaries);
 }
 
 void summarizeFiles(const ExperimentCommand& command) {

@@ -24,8 +24,8 @@ bool isWrong(const Pose2& estimate, const Pose2& truth) {
   return !isNear(estimate, truth, kLostDistance, kLostHeading);
 }
 
-bool hasMode(const Estimate& estimate, const Pose2& pose) {
-  return std::any_of(estimate.modes.begin(), estimate.modes.end(),
+bool hasMode(const std::vector<Mode>& modes, const Pose2& pose) {
+  return std::any_of(modes.begin(), modes.end(),
                      [&](const Mode& mode) { return !isWrong(mode.T_map_base, pose); });
 }
 
@@ -150,7 +150,7 @@ void ExperimentJudge::noteWrong(const JudgedScan& scan) {
 }
 
 void ExperimentJudge::noteModes(const JudgedScan& scan) {
-  const auto& modes = scan.answer.estimate.modes;
+  const auto& modes = scan.answer.modes;
   if (scan.answer.status == Status::kAmbiguous) {
     ++ambiguous_;
     if (!modes.empty()) first_masses_ += modes[0].mass;
@@ -158,9 +158,8 @@ void ExperimentJudge::noteModes(const JudgedScan& scan) {
   }
   if (!half_turn_ || !scan.T_map_base) return;
   // The modes are as of the last update; since then the robot has moved within the gate.
-  const Estimate& estimate = scan.answer.estimate;
-  result_.has_both_at_end = hasMode(estimate, *scan.T_map_base) &&
-                            hasMode(estimate, turnedHalf(*half_turn_, *scan.T_map_base));
+  result_.has_both_at_end =
+      hasMode(modes, *scan.T_map_base) && hasMode(modes, turnedHalf(*half_turn_, *scan.T_map_base));
   both_ += result_.has_both_at_end;
   ++judged_modes_;
 }
@@ -176,7 +175,7 @@ ExperimentResult ExperimentJudge::finish() {
   const auto share = [](double sum, int count) { return count > 0 ? sum / count : 0.0; };
   result_.first_mass = share(first_masses_, ambiguous_);
   result_.second_mass = share(second_masses_, ambiguous_);
-  result_.both_share = share(both_, judged_modes_);
+  if (half_turn_) result_.both_share = share(both_, judged_modes_);
   result_.rms_m = rms(errors_m_);
   result_.rms_deg = kDegrees * rms(errors_rad_);
   result_.max_m = largest(errors_m_);

@@ -39,7 +39,6 @@ void visit(Stored& result, Item&& item) {
   item("status", result.status);
   item("first_mass", result.first_mass);
   item("second_mass", result.second_mass);
-  item("both_share", result.both_share);
   item("has_both_at_end", result.has_both_at_end);
   item("rms_m", result.rms_m);
   item("rms_deg", result.rms_deg);
@@ -114,6 +113,7 @@ std::string toLine(const ExperimentResult& result) {
   json["seed"] = result.id.seed;
   json["settings"] = result.id.settings;
   visit(result, [&](const char* key, const auto& value) { json[key] = value; });
+  json["both_share"] = toJson(result.both_share);
   json["trials"] = Json::array();
   for (const auto& trial : result.trials) json["trials"].push_back(toJson(trial));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -129,6 +129,7 @@ ExperimentResult fromLine(const std::string& line) {
     json.at("seed").get_to(result.id.seed);
     json.at("settings").get_to(result.id.settings);
     visit(result, [&](const char* key, auto& value) { json.at(key).get_to(value); });
+    result.both_share = toOptional(json.at("both_share"));
     for (const auto& trial : json.at("trials")) result.trials.push_back(toTrial(trial));
     return result;
   } catch (const std::exception& error) {

@@ -105,20 +105,23 @@ void addHonesty(const Results& runs, ExperimentSummary& row) {
   row.silently_wrong_share = share(total(&R::silently_wrong), scans);
   row.silently_wrong_longest_s =
       largest(valuesOf(runs, [](const R& run) { return run.silently_wrong_s; }));
+  row.carried = static_cast<int>(total(&R::carried));
   row.carried_tracking_share = share(total(&R::carried_tracking), total(&R::carried));
   row.carried_jumps = static_cast<int>(total(&R::carried_jumps));
-  row.tracking_share = share(sum(valuesOf(runs,
-                                          [](const R& run) {
-                                            const auto found = run.status.find("tracking");
-                                            return found == run.status.end() ? 0 : found->second;
-                                          })),
-                             scans);
+  const auto tracking = [](const R& run) {
+    const auto found = run.status.find("tracking");
+    return found == run.status.end() ? 0 : found->second;
+  };
+  row.tracking_share = share(sum(valuesOf(runs, tracking)), scans);
 }
 
 void addModes(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
-  row.both_at_end = shareOf(runs, [](const R& run) { return run.has_both_at_end; });
-  row.both_share = mean(valuesOf(runs, [](const R& run) { return run.both_share; }));
+  Results turned;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(turned),
+               [](const R& run) { return run.both_share.has_value(); });
+  row.both_at_end = shareOf(turned, [](const R& run) { return run.has_both_at_end; });
+  row.both_share = mean(valuesOf(turned, [](const R& run) { return *run.both_share; }));
   Results ambiguous;
   std::copy_if(runs.begin(), runs.end(), std::back_inserter(ambiguous),
                [](const R& run) { return run.status.count("ambiguous") > 0; });

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a summary is shown to people and to programs.
+#include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "adaptive_localization/eval/experiment_summary.hpp"
 
@@ -34,42 +37,130 @@ std::string seconds(const std::optional<double>& time) {
   return time ? fixed(*time, 1) : "never";
 }
 
-std::string percent(const Share& share) {
-  return share.of > 0 ? fixed(100.0 * share.low, 1) + "–" + fixed(100.0 * share.high, 1) + " %"
-                      : "";
+std::string percent(double share, int digits = 1) {
+  return fixed(100.0 * share, digits) + " %";
 }
 
 std::string countOf(const Share& share) {
   return share.of > 0 ? std::to_string(share.count) + "/" + std::to_string(share.of) : "";
 }
 
-std::string pair(const Share& trials, const std::optional<double>& median,
-                 const std::optional<double>& p95) {
-  return trials.of > 0 ? seconds(median) + ", " + seconds(p95) : "";
+std::string interval(const Share& share) {
+  return share.of > 0 ? fixed(100.0 * share.low, 1) + "–" + percent(share.high) : "";
+}
+
+using Row = ExperimentSummary;
+using Cell = std::function<std::string(const Row&)>;  // empty: nothing to say
+
+std::vector<std::pair<std::string, Cell>> findingColumns() {
+  return {
+      {"found", [](const Row& r) { return countOf(r.found); }},
+      {"95 % interval", [](const Row& r) { return interval(r.found); }},
+      {"found after s: median, 95 %",
+       [](const Row& r) {
+         return r.found.of ? seconds(r.found_median_s) + ", " + seconds(r.found_p95_s) : "";
+       }},
+      {"told after s: median, 95 %",
+       [](const Row& r) {
+         return r.found.of ? seconds(r.told_median_s) + ", " + seconds(r.told_p95_s) : "";
+       }},
+      {"ambiguous before", [](const Row& r) { return countOf(r.ambiguous); }},
+      {"never says tracking before", [](const Row& r) { return countOf(r.flagged); }},
+      {"says tracking at the end, wrongly",
+       [](const Row& r) { return countOf(r.silent_failures); }},
+  };
+}
+
+std::vector<std::pair<std::string, Cell>> honestyColumns() {
+  return {
+      {"says tracking, wrongly: of the scans, longest",
+       [](const Row& r) {
+         return percent(r.silently_wrong_share) + ", " + fixed(r.silently_wrong_longest_s, 1) +
+                " s";
+       }},
+      {"while carried: says tracking, jumps",
+       [](const Row& r) {
+         if (r.carried == 0) return std::string();
+         return percent(r.carried_tracking_share) + ", " + std::to_string(r.carried_jumps);
+       }},
+      {"false alarms: tracking left, jumps",
+       [](const Row& r) {
+         if (r.settled_h <= 0.0) return std::string();
+         return std::to_string(r.left_tracking) + ", " + std::to_string(r.false_jumps) + " in " +
+                fixed(r.settled_h, 2) + " h";
+       }},
+      {"both places at the end", [](const Row& r) { return countOf(r.both_at_end); }},
+      {"both places: of the scans",
+       [](const Row& r) { return r.both_at_end.of ? percent(r.both_share) : ""; }},
+      {"says tracking: of the scans",
+       [](const Row& r) { return r.both_at_end.of ? percent(r.tracking_share) : ""; }},
+  };
+}
+
+std::vector<std::pair<std::string, Cell>> costColumns() {
+  return {
+      {"error, m",
+       [](const Row& r) { return r.rms_median_m > 0.0 ? fixed(r.rms_median_m, 3) : ""; }},
+      {"error at the moments, mm: mean (std)",
+       [](const Row& r) {
+         std::string text;
+         for (std::size_t i = 0; i < r.probe_mean_m.size(); ++i) {
+           text += (text.empty() ? "" : ", ") + fixed(1e3 * r.probe_mean_m[i], 0) + " (" +
+                   fixed(1e3 * r.probe_std_m[i], 0) + ")";
+         }
+         return text;
+       }},
+      {"particles: first, mean, most",
+       [](const Row& r) {
+         return fixed(r.particles_first, 0) + ", " + fixed(r.particles_mean, 0) + ", " +
+                std::to_string(r.particles_max);
+       }},
+      {"ms per update: median, most",
+       [](const Row& r) {
+         return fixed(r.update_ms_median, 2) + ", " + fixed(r.update_ms_max, 1);
+       }},
+  };
+}
+
+std::string toTable(const std::vector<const Row*>& rows) {
+  std::vector<std::pair<std::string, Cell>> columns{
+      {"case", [](const Row& r) { return r.of_case; }},
+      {"core", [](const Row& r) { return r.label; }},
+      {"runs", [](const Row& r) { return std::to_string(r.runs); }}};
+  for (const auto& more : {findingColumns(), honestyColumns(), costColumns()}) {
+    for (const auto& column : more) {
+      const bool says_something = std::any_of(
+          rows.begin(), rows.end(), [&](const Row* row) { return !column.second(*row).empty(); });
+      if (says_something) columns.push_back(column);
+    }
+  }
+  std::string head = "|", line = "|", body;
+  for (const auto& [name, cell] : columns) {
+    head += " " + name + " |";
+    line += "---|";
+  }
+  for (const Row* row : rows) {
+    body += "|";
+    for (const auto& [name, cell] : columns) body += " " + cell(*row) + " |";
+    body += "\n";
+  }
+  return rows.front()->experiment + ":\n\n" + head + "\n" + line + "\n" + body;
 }
 
 }  // namespace
 
-std::string toTable(const std::vector<ExperimentSummary>& summaries) {
-  std::ostringstream table;
-  table << "| experiment | case | core | runs | found | 95 % interval | found after s: median, p95 "
-           "| told after s: median, p95 | fails silently | wrong in silence: share, longest s "
-           "| false alarms: left, jumps in h | ambiguous | error m | particles: first, mean, max "
-           "| ms per update: median, max |\n"
-           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const auto& row : summaries) {
-    table << "| " << row.experiment << " | " << row.of_case << " | " << row.label << " | "
-          << row.runs << " | " << countOf(row.found) << " | " << percent(row.found) << " | "
-          << pair(row.found, row.found_median_s, row.found_p95_s) << " | "
-          << pair(row.found, row.told_median_s, row.told_p95_s) << " | "
-          << countOf(row.silent_failures) << " | " << fixed(100.0 * row.silently_wrong_share, 1)
-          << " %, " << fixed(row.silently_wrong_longest_s, 1) << " | " << row.left_tracking << ", "
-          << row.false_jumps << " in " << fixed(row.settled_h, 2) << " | " << countOf(row.ambiguous)
-          << " | " << fixed(row.rms_median_m, 3) << " | " << fixed(row.particles_first, 0) << ", "
-          << fixed(row.particles_mean, 0) << ", " << row.particles_max << " | "
-          << fixed(row.update_ms_median, 2) << ", " << fixed(row.update_ms_max, 1) << " |\n";
+std::string toTables(const std::vector<ExperimentSummary>& summaries) {
+  std::string text;
+  std::vector<const Row*> rows;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    rows.push_back(&summaries[i]);
+    const bool is_last =
+        i + 1 == summaries.size() || summaries[i + 1].experiment != summaries[i].experiment;
+    if (!is_last) continue;
+    text += (text.empty() ? "" : "\n") + toTable(rows);
+    rows.clear();
   }
-  return table.str();
+  return text;
 }
 
 nlohmann::ordered_json toJson(const ExperimentSummary& row) {

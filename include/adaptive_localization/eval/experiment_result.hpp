@@ -59,7 +59,9 @@ struct ExperimentResult {
   std::map<std::string, int> status;  // scans by status
 
   double first_mass{0.0}, second_mass{0.0};  // of the two heaviest modes, mean while ambiguous
-  double both_share{0.0};  // of the scans: a mode at the truth and one at half a turn from it
+  // Where the map looks the same after half a turn: the share of the scans with a mode at the truth
+  // and one at its counterpart.
+  std::optional<double> both_share;
   bool has_both_at_end{false};
 
   double rms_m{0.0}, rms_deg{0.0}, max_m{0.0};  // after it was found

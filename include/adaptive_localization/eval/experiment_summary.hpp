@@ -37,9 +37,9 @@ struct ExperimentSummary {
   int left_tracking{0}, false_jumps{0};
   double jumps_per_run{0.0};
   double silently_wrong_share{0.0}, silently_wrong_longest_s{0.0};
+  int carried{0}, carried_jumps{0};  // scans
   double carried_tracking_share{0.0};
-  int carried_jumps{0};
-  Share both_at_end;  // runs
+  Share both_at_end;  // of the runs in which the map looks the same after half a turn
   double both_share{0.0}, first_mass{0.0}, second_mass{0.0};
   double tracking_share{0.0};  // of all scans
   double rms_median_m{0.0}, rms_median_deg{0.0}, max_m{0.0};
@@ -54,8 +54,8 @@ struct ExperimentSummary {
 /// Throws std::invalid_argument when runs of one row were made with different settings.
 std::vector<ExperimentSummary> summarize(std::vector<ExperimentResult> results);
 
-/// A table in Markdown.
-std::string toTable(const std::vector<ExperimentSummary>& summaries);
+/// Tables in Markdown, one for each experiment, with the columns in which it has something to say.
+std::string toTables(const std::vector<ExperimentSummary>& summaries);
 
 nlohmann::ordered_json toJson(const ExperimentSummary& summary);
 
