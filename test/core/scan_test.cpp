@@ -102,6 +102,56 @@ TEST(ToScan, TakesBeamsOutsideTheLasersViewForInvalid) {
   EXPECT_EQ(scan.invalid, 1);
 }
 
+/// Where a scan sees from and how far, in degrees.
+struct View {
+  double start, width;
+};
+View viewOf(int beams, double first, double step, const LaserMount& mount = {}) {
+  constexpr double kDegree = kPi / 180.0;
+  const std::vector<float> ranges(static_cast<std::size_t>(beams), 1.0F);
+  const Scan scan = toScan(message(ranges, first * kDegree, step * kDegree), mount, ScanOptions{});
+  return {scan.view_start / kDegree, scan.view_width / kDegree};
+}
+
+void expectView(const View& view, double start, double width) {
+  const double off = std::remainder(view.start - start, 360.0);
+  EXPECT_NEAR(off, 0.0, 1e-6) << "starts at " << view.start << ", expected " << start;
+  EXPECT_NEAR(view.width, width, 1e-6);
+}
+
+TEST(ToScan, ViewsFromTheRightmostBeamToTheLeftmost) {
+  expectView(viewOf(181, -90, 1), -90, 180);
+  expectView(viewOf(181, 90, -1), -90, 180);
+  expectView(viewOf(180, -89.5, 1), -89.5, 179);
+  expectView(viewOf(1, 30, 0), 30, 0);
+  expectView(viewOf(2, 30, 1), 30, 1);
+  expectView(viewOf(360, -180, 1), -180, 359);
+  expectView(viewOf(361, 0, 1), 0, 360);
+  expectView(viewOf(800, 0, 1), 0, 360);  // more than once round
+}
+
+TEST(ToScan, ViewsWhereTheLaserIsMountedTo) {
+  const LaserMount turned = LaserMount::level({0.1, 0.2, kPi / 6});
+  expectView(viewOf(181, -90, 1, turned), -60, 180);
+  expectView(viewOf(181, 90, -1, turned), -60, 180);
+  expectView(viewOf(271, -135, 1, LaserMount::level({0, 0, kPi})), 45, 270);
+  const LaserMount upside_down = LaserMount::upsideDown({0.1, 0.2, kPi / 6});
+  expectView(viewOf(101, -30, 1, upside_down), -40, 100);  // -30 to 70, mirrored: -70 to 30
+  expectView(viewOf(101, 70, -1, upside_down), -40, 100);
+  expectView(viewOf(1, 20, 0, upside_down), 10, 0);
+}
+
+TEST(ToScan, ViewsTheSameWhateverTheBeamsRead) {
+  const Scan all = toScan(message({1.0F, 1.0F, 1.0F}), LaserMount{}, beams(10));
+  const Scan none = toScan(message({kNan, kInf, 0.0F}), LaserMount{}, beams(10));
+  const Scan thinned = toScan(message({1.0F, 1.0F, 1.0F}), LaserMount{}, beams(2));
+  for (const Scan& scan : {none, thinned}) {
+    EXPECT_EQ(scan.view_start, all.view_start);
+    EXPECT_EQ(scan.view_width, all.view_width);
+  }
+  EXPECT_NEAR(all.view_width, 0.2, 1e-12);
+}
+
 TEST(ToScan, ThinsEvenlyFromTheFirstBeamToTheLast) {
   for (const auto& [n, max_beams] : {std::pair{181, 60}, {180, 60}, {100, 99}, {1000, 2}, {7, 3}}) {
     const std::vector<int> numbers = used(n, max_beams);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/places.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "ser_toys.hpp"
+#include "support/pose_matchers.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+const Pose2 kTruth{2.53, 3.51, 0.4};
+
+Places placesOf(const MapPtr& map, Places::Build build = Places::Build::kAtOnce,
+                const EnergyGridOptions& options = {}) {
+  return {map, std::make_shared<const DistanceField>(*map), options, {}, build};
+}
+
+Scan scanOf(int beams, double first_degrees = -90.0, double step_degrees = 1.0,
+            const LaserMount& mount = {}) {
+  const double degree = kPi / 180.0;
+  ToyLaser laser;
+  laser.beams = beams;
+  laser.angle_min = first_degrees * degree;
+  laser.angle_max = (first_degrees + step_degrees * (beams - 1)) * degree;
+  ScanOptions options;
+  options.laser_max_beams = 400;
+  return toScan(laser.read(asymmetricWorld(), kTruth), mount, options);
+}
+
+/// Asks every 5 ms, for 10 s at the most.
+std::shared_ptr<const EnergyGrid> waitForGrid(Places& places, const Scan& scan) {
+  for (int i = 0; i < 2000; ++i) {
+    if (auto grid = places.energyGrid(scan)) return grid;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return nullptr;
+}
+
+TEST(Places, KeepTheGridOfALaserThatAlternates) {
+  Places places = placesOf(asymmetricWorld());
+  const auto grid = places.energyGrid(scanOf(181));
+  ASSERT_TRUE(grid);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(places.energyGrid(scanOf(181)), grid);
+    EXPECT_EQ(places.energyGrid(scanOf(180)), grid);            // one beam short
+    EXPECT_EQ(places.energyGrid(scanOf(180, -89.5)), grid);     // interlaced
+    EXPECT_EQ(places.energyGrid(scanOf(361, -90, 0.5)), grid);  // twice as dense
+  }
+}
+
+TEST(Places, MakeAGridForEachOfSeveralLasers) {
+  Places places = placesOf(asymmetricWorld());
+  const auto front = places.energyGrid(scanOf(181));
+  const Scan behind = scanOf(181, -90, 1, LaserMount::level({-0.2, 0.0, kPi}));
+  const auto rear = places.energyGrid(behind);
+  ASSERT_TRUE(front && rear);
+  EXPECT_NE(front, rear);
+  EXPECT_EQ(&front->ranges(), &rear->ranges()) << "one table for both";
+  EXPECT_EQ(rear->geometry().position, Eigen::Vector2d(-0.2, 0.0));
+  EXPECT_EQ(places.energyGrid(scanOf(181)), front);
+  EXPECT_EQ(places.energyGrid(behind), rear);
+}
+
+TEST(Places, MakeAnotherGridForAnotherLaser) {
+  Places places = placesOf(asymmetricWorld());
+  const auto first = places.energyGrid(scanOf(181));
+  EXPECT_NE(places.energyGrid(scanOf(271, -135)), first);
+  EXPECT_NE(places.energyGrid(scanOf(181, -80)), first);
+  Scan short_sighted = scanOf(181);
+  short_sighted.max_range = 8.0;
+  const auto third = places.energyGrid(short_sighted);
+  EXPECT_EQ(third->ranges().maxRange(), 8.0);
+  EXPECT_EQ(places.energyGrid(scanOf(360, -180))->orientations(), 1);
+}
+
+TEST(Places, RememberAFewGridsOnly) {
+  Places places = placesOf(smallRoom());
+  const auto first = places.energyGrid(scanOf(181));
+  for (int beams = 20; beams < 180; beams += 10) {
+    EXPECT_EQ(places.energyGrid(scanOf(beams))->geometry().count, (beams + 1) / 2);
+  }
+  EXPECT_NE(places.energyGrid(scanOf(181)), first);
+}
+
+TEST(Places, AreWhereTheScanWasTaken) {
+  Places places = placesOf(asymmetricWorld());
+  const Observations seen{1.0, scanOf(181)};
+  const auto& found = places.search(seen);
+  ASSERT_FALSE(found.empty());
+  EXPECT_THAT(found.front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
+
+  const Place* remembered = found.data();
+  EXPECT_EQ(places.search(seen).data(), remembered);
+  Observations other{1.0, toScan(kHalfCircle.read(asymmetricWorld(), {1.0, 1.0, 0.3}))};
+  EXPECT_THAT(places.search(other).front().T_map_base, PoseNear(Pose2{1.0, 1.0, 0.3}, 0.05, 0.03));
+}
+
+TEST(Places, AreNoneForScansThatTellNothing) {
+  Places places = placesOf(asymmetricWorld());
+  for (const float range : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    LaserScan message = kHalfCircle.read(asymmetricWorld(), kTruth);
+    std::fill(message.ranges.begin(), message.ranges.end(), range);
+    const Observations nothing{2.0, toScan(message)};
+    EXPECT_THAT(places.search(nothing), IsEmpty());
+  }
+}
+
+TEST(Places, HaveNoGridWhileItIsMadeInTheBackground) {
+  Places places = placesOf(asymmetricWorld(), Places::Build::kInBackground);
+  const Scan scan = scanOf(181);
+  EXPECT_EQ(places.energyGrid(scan), nullptr);
+  EXPECT_THAT(places.search({0.0, scan}), IsEmpty());
+  const auto grid = waitForGrid(places, scan);
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(places.energyGrid(scanOf(180)), grid);
+  EXPECT_FALSE(places.search({0.0, scan}).empty());
+
+  // another laser: made once, while the first goes on
+  const Scan wide = scanOf(271, -135);
+  EXPECT_EQ(places.energyGrid(wide), nullptr);
+  EXPECT_EQ(places.energyGrid(scan), grid);
+  EXPECT_NE(waitForGrid(places, wide), grid);
+}
+
+TEST(Places, MayGoWhileAGridIsBeingMade) {
+  for (int i = 0; i < 20; ++i) {
+    Places places = placesOf(maze(), Places::Build::kInBackground);
+    EXPECT_EQ(places.energyGrid(scanOf(181)), nullptr);
+  }
+}
+
+TEST(Places, SayOnceThatTheGridIsCoarser) {
+  EnergyGridOptions options;
+  options.energy_grid_max_memory = 2.0;
+  Places places = placesOf(asymmetricWorld(), Places::Build::kAtOnce, options);
+  EXPECT_THAT(places.takeWarnings(), IsEmpty());
+  const auto grid = places.energyGrid(scanOf(181));
+  EXPECT_GT(grid->ranges().spacing(), 1);
+  EXPECT_THAT(places.takeWarnings(),
+              ElementsAre(AllOf(HasSubstr("energy_grid_max_memory"), HasSubstr("2 MB"))));
+  places.energyGrid(scanOf(271, -135));
+  EXPECT_THAT(places.takeWarnings(), IsEmpty());
+  const auto& found = places.search({0.0, scanOf(181)});
+  ASSERT_FALSE(found.empty());
+  EXPECT_THAT(found.front().T_map_base, PoseNear(kTruth, 0.1, 0.05));
+}
+
+TEST(Places, ComplainAboutAMapWithoutFreeCells) {
+  const MapPtr map = toyWorld({"#?", "##"}, 0.1);
+  const auto complaint = ThrowsMessage<std::invalid_argument>(HasSubstr("no free cell"));
+  Places at_once = placesOf(map);
+  EXPECT_THAT([&] { at_once.energyGrid(scanOf(181)); }, complaint);
+  Places later = placesOf(map, Places::Build::kInBackground);
+  EXPECT_THAT([&] { waitForGrid(later, scanOf(181)); }, complaint);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
