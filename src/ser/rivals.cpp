@@ -146,8 +146,9 @@ void Rivals::weigh(double share) {
   for (auto& hypothesis : hypotheses_) {
     const double excess = hypothesis.error - (1.0 + options_.rival_tolerance_share) * least -
                           options_.rival_tolerance;
-    hypothesis.log_likelihood -=
-        share * options_.rival_beams * std::max(0.0, excess) / options_.rival_scale;
+    const double beams = (hypothesis.is_new ? 1.0 : share) * options_.rival_beams;
+    hypothesis.log_likelihood -= beams * std::max(0.0, excess) / options_.rival_scale;
+    hypothesis.is_new = false;
   }
 }
 

@@ -89,6 +89,7 @@ class Rivals {
     Pose2 T_map_base;
     double log_likelihood{0.0};
     double error{0.0};
+    bool is_new{true};  // not judged yet: the scan counts in full
   };
 
   void align(const PlaceRefiner& refiner, Hypothesis& hypothesis);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/rivals.hpp"
+
+#include <gmock/gmock.h>
+
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Rivals in a world, and what a robot there sees.
+struct Judged {
+  explicit Judged(std::shared_ptr<const OccupancyGrid> world) : map(std::move(world)) {}
+
+  void see(const Pose2& truth, const Pose2& believed, const Pose2& motion = {}) {
+    rivals.observe(motion, believed, laser.observe(map, truth));
+  }
+
+  std::shared_ptr<const OccupancyGrid> map;
+  std::shared_ptr<const DistanceField> field = std::make_shared<const DistanceField>(*map);
+  Rivals rivals{RivalsOptions{}, map, field,
+                std::make_shared<Places>(map, field, EnergyGridOptions{}, GlobalSearchOptions{})};
+  ToyLaser laser{91, -kPi / 2, kPi / 2, 12.0};
+};
+
+/// Half a turn about the middle of symmetricWorld().
+Pose2 twinOf(const Pose2& pose) {
+  return {6.0 - pose.x, 3.0 - pose.y, wrapAngle(pose.theta + kPi)};
+}
+
+constexpr double kWay = 0.3;  // rival_distance
+
+TEST(Rivals, ThereAreNoneUntilDoubtsAreRaised) {
+  Judged judged(asymmetricWorld());
+  EXPECT_TRUE(judged.rivals.isSettled());
+  judged.see({1.0, 1.0, 0.0}, {4.0, 2.0, 1.0});
+  EXPECT_TRUE(judged.rivals.isSettled());
+  EXPECT_TRUE(judged.rivals.modes().empty());
+  EXPECT_DOUBLE_EQ(judged.rivals.shareOf({4.0, 2.0, 1.0}), 1.0);
+}
+
+TEST(Rivals, AreRuledOutByOneScanWhereNothingLooksAlike) {
+  Judged judged(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  judged.rivals.open();
+  judged.see(truth, truth);
+  EXPECT_TRUE(judged.rivals.isSettled());
+}
+
+TEST(Rivals, KnowBetterThanAFilterThatBelievesInAnotherPlace) {
+  Judged judged(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  const Pose2 wrong{8.0, 1.0, 2.0};
+  judged.rivals.open();
+  for (int scan = 1; scan <= 3; ++scan) {
+    judged.see(truth, wrong, {});
+    EXPECT_FALSE(judged.rivals.isSettled());
+    EXPECT_EQ(judged.rivals.contradictions(), scan);
+    EXPECT_DOUBLE_EQ(judged.rivals.shareOf(wrong), 0.0);
+    ASSERT_EQ(judged.rivals.modes().size(), 1U);
+    EXPECT_THAT(judged.rivals.modes().front().T_map_base, PoseNear(truth, 0.1, 0.05));
+  }
+  judged.see(truth, truth);
+  EXPECT_TRUE(judged.rivals.isSettled());
+  EXPECT_EQ(judged.rivals.contradictions(), 0);
+}
+
+TEST(Rivals, NeverDriftApartWhereTwoPlacesLookTheSame) {
+  Judged judged(symmetricWorld());
+  judged.rivals.open();
+  Pose2 truth{2.3, 1.0, 0.0};
+  for (int i = 0; i < 60; ++i) {
+    const Pose2 motion{i % 12 < 6 ? 0.2 : -0.2, 0.0, i % 2 ? 0.05 : -0.05};
+    truth = truth * motion;
+    judged.see(truth, truth, motion);  // the filter believes in one of them only
+    ASSERT_FALSE(judged.rivals.isSettled()) << i;
+    ASSERT_EQ(judged.rivals.modes().size(), 2U) << i;
+    EXPECT_NEAR(judged.rivals.shareOf(truth), 0.5, 0.05) << i;
+    EXPECT_NEAR(judged.rivals.shareOf(twinOf(truth)), 0.5, 0.05) << i;
+  }
+}
+
+TEST(Rivals, ARobotThatStandsStillLearnsNothingNew) {
+  Judged judged(symmetricWorld());
+  judged.rivals.open();
+  const Pose2 truth{2.3, 1.0, 0.0};
+  judged.see(truth, truth);
+  const double share = judged.rivals.shareOf(truth);
+  for (int i = 0; i < 20; ++i) judged.see({2.31, 1.0, 0.01}, truth);
+  EXPECT_DOUBLE_EQ(judged.rivals.shareOf(truth), share);
+}
+
+TEST(Rivals, AskWhereACarriedRobotIs) {
+  Judged judged(asymmetricWorld());
+  const Pose2 before{2.0, 3.0, -0.5};
+  const Pose2 after{7.0, 2.8, 0.5};
+  judged.rivals.open(before);
+  judged.see(after, before);
+  EXPECT_FALSE(judged.rivals.isSettled());
+  EXPECT_LT(judged.rivals.shareOf(before), 0.01);
+  const Pose2 motion{kWay, 0.0, 0.0};
+  judged.see(after * motion, after * motion, motion);
+  EXPECT_TRUE(judged.rivals.isSettled());
+}
+
+TEST(Rivals, AreLeftOpenByACoveredLaserAndSettledWhenItSeesTheSameAgain) {
+  Judged judged(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  judged.rivals.open(truth);
+  std::vector<Eigen::Vector2d> cover;
+  for (int i = -80; i <= 80; ++i) {
+    const double range = 0.25 + 0.1 * (i % 3);
+    cover.emplace_back(range * std::cos(0.0175 * i), range * std::sin(0.0175 * i));
+  }
+  for (int i = 0; i < 5; ++i) {
+    Observations covered = hitsAt(cover, 12.0);
+    covered.scan.view_start = -kPi / 2;
+    covered.scan.view_width = kPi;
+    judged.rivals.observe({}, truth, covered);
+    EXPECT_FALSE(judged.rivals.isSettled()) << i;
+  }
+  const Pose2 motion{kWay, 0.0, 0.0};
+  judged.see(truth * motion, truth * motion, motion);
+  EXPECT_TRUE(judged.rivals.isSettled());
+}
+
+TEST(Rivals, AScanWithoutHitsChangesNothing) {
+  Judged judged(asymmetricWorld());
+  judged.rivals.open();
+  judged.rivals.observe({}, {2.0, 3.0, 0.0}, Observations{});
+  EXPECT_FALSE(judged.rivals.isSettled());
+  EXPECT_TRUE(judged.rivals.modes().empty());
+}
+
+TEST(Rivals, OthersGoOnWithWhatTheyKnow) {
+  Judged one(symmetricWorld());
+  Judged other(symmetricWorld());
+  const Pose2 truth{2.3, 1.0, 0.0};
+  one.rivals.open();
+  one.see(truth, truth);
+  other.rivals.goOnFrom(one.rivals);
+  EXPECT_FALSE(other.rivals.isSettled());
+  EXPECT_DOUBLE_EQ(other.rivals.shareOf(truth), one.rivals.shareOf(truth));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
