@@ -183,11 +183,23 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   if (first || update_requested_ || gateOpens(motion, observations)) {
     updateFilter(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
-    last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
+    if (isCorrection(last_.T_map_odom * T_odom_base)) {
+      last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
+    }
     update_requested_ = false;
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
+}
+
+/// A robot that was known to be somewhere is there until it is known to be elsewhere: what a filter
+/// makes of a blocked laser is no reason to jump.
+bool Localizer::isCorrection(const Pose2& T_map_base_by_odometry) const {
+  constexpr double kSmall = 0.1;  // m, rad
+  if (!converged_ || last_.status == Status::kTracking) return true;
+  const Pose2 moved = between(T_map_base_by_odometry, last_.estimate.T_map_base);
+  return last_.status == Status::kAmbiguous && std::hypot(moved.x, moved.y) < kSmall &&
+         std::abs(moved.theta) < kSmall;
 }
 
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {

@@ -138,6 +138,7 @@ class Localizer {
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
+  bool isCorrection(const Pose2& T_map_base_by_odometry) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   void relocalize();
   bool isDoubtful(const Pose2& T_map_base_expected) const;
