@@ -94,13 +94,15 @@ TEST(Rivals, ARobotThatStandsStillLearnsNothingNew) {
 TEST(Rivals, AskWhereACarriedRobotIs) {
   Judged judged(asymmetricWorld());
   const Pose2 before{2.0, 3.0, -0.5};
-  const Pose2 after{7.0, 2.8, 0.5};
+  Pose2 after{3.0, 2.0, 0.3};
   judged.rivals.open(before);
   judged.see(after, before);
   EXPECT_FALSE(judged.rivals.isSettled());
   EXPECT_LT(judged.rivals.shareOf(before), 0.01);
+  EXPECT_GT(judged.rivals.shareOf(after), 0.5);
   const Pose2 motion{kWay, 0.0, 0.0};
-  judged.see(after * motion, after * motion, motion);
+  after = after * motion;
+  judged.see(after, after, motion);
   EXPECT_TRUE(judged.rivals.isSettled());
 }
 
