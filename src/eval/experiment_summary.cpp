@@ -86,6 +86,12 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
   std::copy_if(found.begin(), found.end(), std::back_inserter(row.found_s),
                [](double time) { return time < kNever; });
   std::sort(row.found_s.begin(), row.found_s.end());
+  row.right_at_end = shareOf(trials, [](const Trial& t) {
+    return t.end_error_m < kLostDistance && t.end_error_deg < kLostHeading * 180.0 / kPi;
+  });
+  const auto early = valuesOf(trials, [](const Trial& t) { return t.searching_tracking; });
+  row.told_early_median = quantile(early, 0.5);
+  row.told_early_most = largest(early);
   row.silent_failures = shareOf(trials, [](const Trial& t) { return t.is_silent_failure; });
   row.flagged = shareOf(trials, [](const Trial& t) { return t.searching_tracking == 0; });
   row.ambiguous = shareOf(trials, [](const Trial& t) { return t.searching_ambiguous > 0; });
@@ -180,17 +186,6 @@ ExperimentSummary summarizeRow(const Results& runs) {
 }
 
 }  // namespace
-
-Share wilson(int count, int of, double z) {
-  if (of <= 0) return {};
-  const double n = of, share = count / n;
-  const double centre = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half =
-      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
-  const double low = count == 0 ? 0.0 : centre - half;  // without the rounding
-  const double high = count == of ? 1.0 : centre + half;
-  return {of, count, share, low, high};
-}
 
 std::vector<ExperimentSummary> summarize(std::vector<ExperimentResult> results) {
   std::stable_sort(results.begin(), results.end(), isBefore);

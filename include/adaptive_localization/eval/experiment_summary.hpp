@@ -7,20 +7,9 @@
 #include <vector>
 
 #include "adaptive_localization/eval/experiment_result.hpp"
+#include "adaptive_localization/eval/share.hpp"
 
 namespace adaptive_localization {
-
-/// A share with its confidence interval.
-struct Share {
-  int of{0};
-  int count{0};
-  double value{0.0};
-  double low{0.0}, high{1.0};
-};
-
-/// The Wilson score interval (Wilson 1927) at the standard normal quantile z, 1.96 for 95 %:
-/// unlike the textbook interval it makes sense for few trials and for shares near 0 and 1.
-Share wilson(int count, int of, double z = 1.959963984540054);
 
 /// Results of the runs with the same experiment, case and core, over seeds. Trials are those of
 /// starts that were not known and of kidnaps; a trial that failed counts as never in the quantiles.
@@ -30,9 +19,12 @@ struct ExperimentSummary {
   Share found;
   std::optional<double> found_median_s, found_p95_s, told_median_s, told_p95_s;  // none: never
   std::vector<double> found_s;  // of those that were found, ascending
-  Share silent_failures;        // trials at whose end the status was tracking, wrongly
-  Share flagged;                // trials in which no scan said tracking before the robot was found
-  Share ambiguous;              // trials in which one said ambiguous before
+  Share right_at_end;           // trials at whose end the estimate was not wrong
+  // Scans of a trial that said tracking before the robot was found.
+  double told_early_median{0.0}, told_early_most{0.0};
+  Share silent_failures;  // trials at whose end the status was tracking, wrongly
+  Share flagged;          // trials in which no scan said tracking before the robot was found
+  Share ambiguous;        // trials in which one said ambiguous before
   double settled_h{0.0};
   int left_tracking{0}, false_jumps{0};
   double jumps_per_run{0.0};
