@@ -15,18 +15,17 @@ int orientationsFor(const ScanGeometry& geometry, const EnergyGridOptions& optio
   return geometry.count == kDirections ? 1 : options.energy_orientations;
 }
 
-/// Every how many-th cell of the map keeps the grid and the search on it within the limit.
-int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
-               const EnergyGridOptions& options) {
-  constexpr double kSearchBytes = 2.0 * RangeTable::kStride / 16.0;  // see GlobalSearch
+}  // namespace
+
+int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
+                           const EnergyGridOptions& options) {
+  constexpr double kSearchBytes = 2.0 * RangeTable::kStride / 16.0;  // see RangeBlocks
   const double per_cell = RangeTable::kStride + sizeof(std::uint32_t) + kSearchBytes +
                           sizeof(std::uint32_t) * orientationsFor(geometry, options);
   const double needed = static_cast<double>(map.countFree()) * per_cell;
   const double limit = 1e6 * options.energy_grid_max_memory;
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(needed / limit))));
 }
-
-}  // namespace
 
 EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
                        const EnergyGridOptions& options, const SweepProgress& progress)
@@ -36,14 +35,21 @@ EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
                        const EnergyGridOptions& options)
+    : EnergyGrid(std::move(ranges), geometry, options, {}) {
+  sorted_ = sort();
+  was_read_ = false;
+}
+
+EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+                       const EnergyGridOptions& options, Sorted sorted)
     : ranges_(std::move(ranges)),
       geometry_(geometry),
       orientations_(orientationsFor(geometry, options)),
       beams_(std::min(options.energy_beams, geometry.count)),
       beam_step_(std::max(1, geometry.count / beams_)),
-      ser_delta_(options.ser_delta) {
-  sort();
-}
+      ser_delta_(options.ser_delta),
+      sorted_(std::move(sorted)),
+      was_read_(true) {}
 
 /// Direction of beam 0 for a heading, in [0, kDirections).
 int EnergyGrid::firstDirection(int orientation) const {
@@ -62,7 +68,7 @@ int EnergyGrid::sumOf(const std::uint8_t* ranges, int orientation) const {
 }
 
 /// Counting sort: sums are small integers.
-void EnergyGrid::sort() {
+EnergyGrid::Sorted EnergyGrid::sort() const {
   const std::size_t poses = ranges_->size() * static_cast<std::size_t>(orientations_);
   std::vector<std::uint16_t> sums(poses);
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
@@ -73,12 +79,14 @@ void EnergyGrid::sort() {
       }
     }
   });
-  starts_.assign(static_cast<std::size_t>(beams_ * kNoReturn) + 2, 0);
-  for (const std::uint16_t sum : sums) ++starts_[sum + 1U];
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  sorted_.resize(poses);
-  for (std::size_t i = 0; i < poses; ++i) sorted_[next[sums[i]]++] = static_cast<std::uint32_t>(i);
+  std::vector<std::uint32_t> starts(static_cast<std::size_t>(beams_ * kNoReturn) + 2, 0);
+  for (const std::uint16_t sum : sums) ++starts[sum + 1U];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+  std::vector<std::uint32_t> sorted(poses);
+  for (std::size_t i = 0; i < poses; ++i) sorted[next[sums[i]]++] = static_cast<std::uint32_t>(i);
+  return {ConstArray<std::uint32_t>(std::move(sorted)),
+          ConstArray<std::uint32_t>(std::move(starts))};
 }
 
 std::optional<ScanEnergy> EnergyGrid::energyOf(const Scan& scan) const {
@@ -101,15 +109,16 @@ EnergyGrid::Region EnergyGrid::similarTo(const ScanEnergy& energy) const {
   // |E - e| < delta, where E = 1 - sum / most
   const double low = (1.0 - energy.value - energy.delta) * most;
   const double high = (1.0 - energy.value + energy.delta) * most;
-  const auto end = static_cast<double>(starts_.size() - 1);
+  const auto end = static_cast<double>(sorted_.starts.size() - 1);
   const auto first = std::clamp(std::floor(low) + 1.0, 0.0, end);
   const auto last = std::clamp(std::ceil(high), first, end);
-  return {starts_[static_cast<std::size_t>(first)], starts_[static_cast<std::size_t>(last)]};
+  return {sorted_.starts[static_cast<std::size_t>(first)],
+          sorted_.starts[static_cast<std::size_t>(last)]};
 }
 
 double EnergyGrid::energy(std::size_t i) const {
-  const auto after = std::upper_bound(starts_.begin(), starts_.end(), i);
-  return 1.0 - static_cast<double>(after - starts_.begin() - 1) / (beams_ * kNoReturn);
+  const auto after = std::upper_bound(sorted_.starts.begin(), sorted_.starts.end(), i);
+  return 1.0 - static_cast<double>(after - sorted_.starts.begin() - 1) / (beams_ * kNoReturn);
 }
 
 Pose2 EnergyGrid::pose(std::size_t i) const {
@@ -118,8 +127,8 @@ Pose2 EnergyGrid::pose(std::size_t i) const {
 
 Pose2 EnergyGrid::pose(std::size_t i, const Eigen::Vector3d& jitter) const {
   const auto orientations = static_cast<std::uint32_t>(orientations_);
-  const std::uint32_t cell = sorted_[i] / orientations;
-  const int orientation = static_cast<int>(sorted_[i] % orientations);
+  const std::uint32_t cell = sorted_.poses[i] / orientations;
+  const int orientation = static_cast<int>(sorted_.poses[i] % orientations);
   const double step = ranges_->lattice().resolution() * ranges_->spacing();
   const Eigen::Vector2d sensor = ranges_->centre(cell) + step * jitter.head<2>();
   const double turned = ranges_->lattice().origin().theta + headingStep() * jitter.z();
@@ -130,7 +139,7 @@ Pose2 EnergyGrid::pose(std::size_t i, const Eigen::Vector3d& jitter) const {
 }
 
 std::size_t EnergyGrid::bytes() const {
-  return ranges_->bytes() + sizeof(std::uint32_t) * (sorted_.size() + starts_.size());
+  return ranges_->bytes() + sorted_.poses.bytes() + sorted_.starts.bytes();
 }
 
 }  // namespace adaptive_localization

@@ -22,9 +22,12 @@ bool isBefore(const SearchPose& a, const SearchPose& b) {
   return std::tie(a.cost, a.cell, a.direction) < std::tie(b.cost, b.cell, b.direction);
 }
 
-/// The best poses so far: those within the margin of the best.
+/// The best poses so far: those within the margin of the best, and the first kMost of them at the
+/// most, so that a scan that fits everywhere does not fill the memory.
 class BestPoses {
  public:
+  static constexpr std::size_t kMost = 100000;
+
   explicit BestPoses(int margin) : margin_(margin) {}
 
   int limit() const { return limit_; }
@@ -33,16 +36,26 @@ class BestPoses {
     if (pose.cost > limit_) return;
     poses_.push_back(pose);
     limit_ = std::min(limit_, pose.cost + margin_);
+    if (poses_.size() == 2 * kMost) drop();
   }
 
   std::vector<SearchPose> sorted() {
-    const auto worse = [this](const SearchPose& pose) { return pose.cost > limit_; };
-    poses_.erase(std::remove_if(poses_.begin(), poses_.end(), worse), poses_.end());
+    drop();
     std::sort(poses_.begin(), poses_.end(), isBefore);
     return std::move(poses_);
   }
 
  private:
+  void drop() {
+    const auto worse = [this](const SearchPose& pose) { return pose.cost > limit_; };
+    poses_.erase(std::remove_if(poses_.begin(), poses_.end(), worse), poses_.end());
+    if (poses_.size() <= kMost) return;
+    const auto last = poses_.begin() + (kMost - 1);
+    std::nth_element(poses_.begin(), last, poses_.end(), isBefore);
+    limit_ = last->cost;
+    poses_.resize(kMost);
+  }
+
   int margin_;
   int limit_{1 << 30};
   std::vector<SearchPose> poses_;
@@ -50,7 +63,8 @@ class BestPoses {
 
 /// Indices of values, ascending by value; a counting sort.
 std::vector<std::uint32_t> ascending(const std::vector<std::uint16_t>& values) {
-  std::vector<std::uint32_t> starts(65537, 0);
+  const std::uint16_t most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+  std::vector<std::uint32_t> starts(most + 2U, 0);
   for (const std::uint16_t value : values) ++starts[value + 1U];
   for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
   std::vector<std::uint32_t> order(values.size());
@@ -62,22 +76,11 @@ std::vector<std::uint32_t> ascending(const std::vector<std::uint16_t>& values) {
 
 }  // namespace
 
-struct GlobalSearch::Blocks {
-  explicit Blocks(const RangeTable& table) : ranges(table) {}
-  RangeBlocks ranges;
-};
-
 GlobalSearch::GlobalSearch(std::shared_ptr<const EnergyGrid> grid,
                            std::shared_ptr<const OccupancyGrid> map,
                            std::shared_ptr<const DistanceField> field,
                            const GlobalSearchOptions& options)
-    : grid_(std::move(grid)),
-      map_(std::move(map)),
-      field_(std::move(field)),
-      options_(options),
-      blocks_(std::make_unique<Blocks>(grid_->ranges())) {}
-
-GlobalSearch::~GlobalSearch() = default;
+    : grid_(std::move(grid)), map_(std::move(map)), field_(std::move(field)), options_(options) {}
 
 int GlobalSearch::truncation() const {
   const double steps = options_.search_truncation / grid_->ranges().metresPerStep();
@@ -91,7 +94,7 @@ int GlobalSearch::margin(const DirectionalScan& scan) const {
 
 /// Bounds of all blocks and heading groups: [block * groups + group].
 std::vector<std::uint16_t> GlobalSearch::bounds(const DirectionalScan& scan) const {
-  const RangeBlocks& blocks = blocks_->ranges;
+  const RangeBlocks& blocks = grid_->ranges().blocks();
   const ScanTargets groups(scan, kHeadingsPerGroup);
   const auto per_block = static_cast<std::size_t>(groups.size());
   std::vector<std::uint16_t> bounds(blocks.size() * per_block);
@@ -109,7 +112,7 @@ std::vector<std::uint16_t> GlobalSearch::bounds(const DirectionalScan& scan) con
 
 std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) const {
   const RangeTable& table = grid_->ranges();
-  const RangeBlocks& blocks = blocks_->ranges;
+  const RangeBlocks& blocks = table.blocks();
   const ScanTargets targets(scan, 1);
   const std::vector<std::uint16_t> bound = bounds(scan);
   constexpr std::size_t kGroups = kDirections / kHeadingsPerGroup;
@@ -168,10 +171,6 @@ std::vector<Place> GlobalSearch::find(const Scan& scan) const {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.error < b.error; });
   return distinctPlaces(places);
-}
-
-std::size_t GlobalSearch::bytes() const {
-  return blocks_->ranges.bytes();
 }
 
 }  // namespace adaptive_localization

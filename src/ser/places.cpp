@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "grid_cache.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -45,10 +47,14 @@ Places::~Places() = default;
 /// Only reads what does not change: may run in another thread.
 Places::Entry Places::make(const ScanGeometry& geometry,
                            std::shared_ptr<const RangeTable> ranges) const {
+  GridCache cache(options_.cache_dir, *map_);
   Entry entry;
   entry.geometry = geometry;
-  entry.grid = ranges ? std::make_shared<const EnergyGrid>(std::move(ranges), geometry, options_)
-                      : std::make_shared<const EnergyGrid>(*map_, geometry, options_);
+  if (!ranges) {
+    ranges = cache.ranges(geometry.max_range, EnergyGrid::spacingFor(*map_, geometry, options_));
+  }
+  entry.grid = cache.grid(ranges, geometry, options_);
+  entry.warnings = cache.warnings();
   entry.search =
       std::make_shared<const GlobalSearch>(entry.grid, map_, distance_field_, search_options_);
   return entry;
@@ -62,15 +68,20 @@ std::shared_ptr<const RangeTable> Places::rangesFor(const ScanGeometry& geometry
 }
 
 void Places::keep(Entry entry) {
-  const RangeTable& ranges = entry.grid->ranges();
-  if (ranges.spacing() > 1 && entries_.empty()) {
-    warnings_.push_back("energy grid: uses one cell of " + std::to_string(ranges.spacing()) +
-                        " by " + std::to_string(ranges.spacing()) +
-                        " to keep within energy_grid_max_memory, which is " +
-                        std::to_string(static_cast<int>(options_.energy_grid_max_memory)) + " MB");
+  for (const std::string& warning : entry.warnings) warn(warning);
+  const std::string spacing = std::to_string(entry.grid->ranges().spacing());
+  if (spacing != "1") {
+    warn("energy grid: uses one cell of " + spacing + " by " + spacing +
+         " to keep within energy_grid_max_memory, which is " +
+         std::to_string(static_cast<int>(options_.energy_grid_max_memory)) + " MB");
   }
   if (entries_.size() == kKept) entries_.erase(entries_.begin());
   entries_.push_back(std::move(entry));
+}
+
+/// Once each.
+void Places::warn(const std::string& warning) {
+  if (said_.insert(warning).second) warnings_.push_back(warning);
 }
 
 void Places::poll() {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "adaptive_localization/parallel.hpp"
+#include "range_blocks.hpp"
 #include "sweep.hpp"
 
 namespace adaptive_localization {
@@ -73,6 +74,7 @@ class RangeTableBuilder {
         cells.push_back(static_cast<std::uint32_t>(map_.lattice().index(cell)));
       }
     }
+    if (cells.empty()) return;
     ranges.assign(cells.size() * RangeTable::kStride, 0);
     for (const bool x_is_faster : {true, false}) sweepAll(x_is_faster, ranges.data(), progress);
   }
@@ -166,13 +168,20 @@ RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,
                                 " and spacing " + std::to_string(spacing) +
                                 ", expected a positive one and at least 1");
   }
-  RangeTableBuilder(map, max_range, spacing).build(cells_, ranges_, progress);
-  if (cells_.empty() && spacing > 1) *this = RangeTable(map, max_range, 1);
-  if (cells_.empty()) throw std::invalid_argument("map: got no free cell, expected at least one");
+  std::vector<std::uint32_t> cells;
+  std::vector<std::uint8_t> ranges;
+  for (; cells.empty() && spacing_ > 0; --spacing_) {
+    RangeTableBuilder(map, max_range, spacing_).build(cells, ranges, progress);
+  }
+  ++spacing_;
+  if (cells.empty()) throw std::invalid_argument("map: got no free cell, expected at least one");
+  cells_ = ConstArray<std::uint32_t>(std::move(cells));
+  ranges_ = ConstArray<std::uint8_t>(std::move(ranges));
+  blocks_ = std::make_shared<const RangeBlocks>(*this);
 }
 
 std::size_t RangeTable::bytes() const {
-  return ranges_.size() + cells_.size() * sizeof(std::uint32_t);
+  return ranges_.bytes() + cells_.bytes() + blocks_->bytes();
 }
 
 }  // namespace adaptive_localization

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "adaptive_localization/options.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
@@ -70,7 +69,7 @@ class EnergyGrid {
   double headingStep() const { return 2.0 * kPi / orientations_; }
 
   /// Number of poses.
-  std::size_t size() const { return sorted_.size(); }
+  std::size_t size() const { return sorted_.poses.size(); }
 
   /// None if the scan has no valid beam among the energy's.
   std::optional<ScanEnergy> energyOf(const Scan& scan) const;
@@ -94,10 +93,24 @@ class EnergyGrid {
   /// step, each in [-1/2, 1/2].
   Pose2 pose(std::size_t i, const Eigen::Vector3d& jitter) const;
 
+  /// Whether it was read from cache_dir and not made.
+  bool wasRead() const { return was_read_; }
+
+  /// Every how many-th cell of the map, in x and y, keeps within energy_grid_max_memory.
+  static int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
+                        const EnergyGridOptions& options);
+
   std::size_t bytes() const;
 
  private:
-  void sort();
+  friend class GridCache;
+  struct Sorted {
+    ConstArray<std::uint32_t> poses;   // cell * orientations + orientation, by ascending range sum
+    ConstArray<std::uint32_t> starts;  // [range sum]: first of poses with at least that sum
+  };
+  EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+             const EnergyGridOptions& options, Sorted sorted);
+  Sorted sort() const;
   int sumOf(const std::uint8_t* ranges, int orientation) const;
   int firstDirection(int orientation) const;
 
@@ -107,8 +120,8 @@ class EnergyGrid {
   int beams_;
   int beam_step_;  // directions from one beam of the energy to the next
   double ser_delta_;
-  std::vector<std::uint32_t> sorted_;  // cell * orientations + orientation, by descending range sum
-  std::vector<std::uint32_t> starts_;  // [range sum]: first of sorted_ with at least that sum
+  Sorted sorted_;
+  bool was_read_{false};
 };
 
 }  // namespace adaptive_localization

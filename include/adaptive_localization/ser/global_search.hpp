@@ -58,7 +58,6 @@ class GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
                std::shared_ptr<const DistanceField> field, const GlobalSearchOptions& options);
-  ~GlobalSearch();
 
   /// Distinct places, refined below the lattice's spacing, best first.
   std::vector<Place> find(const Scan& scan) const;
@@ -72,10 +71,7 @@ class GlobalSearch {
   /// Poses whose cost was computed in the last search, as a share of all.
   double visitedShare() const { return visited_share_; }
 
-  std::size_t bytes() const;
-
  private:
-  struct Blocks;
   int truncation() const;                         // steps
   int margin(const DirectionalScan& scan) const;  // steps, of a whole scan
   std::vector<std::uint16_t> bounds(const DirectionalScan& scan) const;
@@ -84,7 +80,6 @@ class GlobalSearch {
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<const DistanceField> field_;
   GlobalSearchOptions options_;
-  std::unique_ptr<Blocks> blocks_;
   mutable double visited_share_{0.0};
 };
 

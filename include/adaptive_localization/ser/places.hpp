@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,11 +51,13 @@ class Places {
     ScanGeometry geometry;
     std::shared_ptr<const EnergyGrid> grid;
     std::shared_ptr<const GlobalSearch> search;
+    std::vector<std::string> warnings;
   };
   Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges) const;
   std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
   const Entry* entryFor(const Scan& scan);
   void keep(Entry entry);
+  void warn(const std::string& warning);
   void poll();
 
   std::shared_ptr<const OccupancyGrid> map_;
@@ -63,7 +66,8 @@ class Places {
   GlobalSearchOptions search_options_;
   Build build_;
   std::vector<Entry> entries_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> warnings_;     // to be taken
+  std::set<std::string> said_;            // all warnings
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
   std::future<Entry> building_;  // last, so that it ends before what it reads

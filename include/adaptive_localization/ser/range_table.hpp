@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/ser/const_array.hpp"
 #include "adaptive_localization/ser/scan_energy.hpp"
 
 namespace adaptive_localization {
+
+class RangeBlocks;
 
 /// Told how many of the kDirections are done, by who makes a table for a large map.
 using SweepProgress = std::function<void(std::size_t)>;
@@ -46,15 +49,22 @@ class RangeTable {
   /// kDirections ranges in steps; direction d is d * kDirectionStep from the lattice's x axis.
   const std::uint8_t* ranges(std::size_t i) const { return ranges_.data() + i * kStride; }
 
+  /// What can be seen from blocks of cells, for searching.
+  const RangeBlocks& blocks() const { return *blocks_; }
+
   /// Bytes of memory.
   std::size_t bytes() const;
 
  private:
+  friend class GridCache;
+  explicit RangeTable(const Lattice& lattice) : lattice_(lattice) {}
+
   Lattice lattice_;
-  double max_range_;
-  int spacing_;
-  std::vector<std::uint32_t> cells_;  // indices of the lattice, ascending
-  std::vector<std::uint8_t> ranges_;
+  double max_range_{0.0};
+  int spacing_{1};
+  ConstArray<std::uint32_t> cells_;  // indices of the lattice, ascending
+  ConstArray<std::uint8_t> ranges_;
+  std::shared_ptr<const RangeBlocks> blocks_;
 };
 
 }  // namespace adaptive_localization

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/ser/energy_grid.hpp"
+#include "array_file.hpp"
+
+namespace adaptive_localization {
+
+/// Range tables and energy grids of a map, read from a folder where they are, else made and put
+/// there: one file for each table and for each grid, named after a hash of all that it depends on.
+///
+/// The folder holds the sixteen files used last. A file that is not right is made again.
+class GridCache {
+ public:
+  /// The map must stay. An empty folder: keeps nothing.
+  GridCache(std::string folder, const OccupancyGrid& map);
+
+  /// Throws std::invalid_argument if the map has no free cell.
+  std::shared_ptr<const RangeTable> ranges(double max_range, int spacing);
+
+  std::shared_ptr<const EnergyGrid> grid(std::shared_ptr<const RangeTable> ranges,
+                                         const ScanGeometry& geometry,
+                                         const EnergyGridOptions& options);
+
+  /// What is wrong with the folder and its files.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::shared_ptr<const RangeTable> read(const std::string& file, std::uint64_t key,
+                                         double max_range) const;
+  std::uint64_t keyOf(double max_range, int spacing) const;
+  std::string fileOf(const std::string& kind, std::uint64_t key) const;
+  bool isThere(const std::string& file) const;
+  void write(const std::string& file, std::uint64_t key,
+             const std::vector<ArrayFile::Bytes>& arrays);
+
+  std::string folder_;
+  const OccupancyGrid& map_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace adaptive_localization
