@@ -12,8 +12,8 @@
 
 namespace adaptive_localization {
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
-    : parameters_(withCacheDir(readParameters(private_node))),
-      options_(readNodeOptions(parameters_)),
+    : parameters_(readParameters(private_node)),
+      options_(readNodeOptions(withCacheDir(parameters_))),
       prior_(startOf(options_)),
       tf_listener_(tf_),
       odometry_(tf_, options_.odom_frame_id, options_.base_frame_id),
@@ -38,7 +38,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       reconfigure_(private_node, parameters_, [this](const auto& all) { return configure(all); }) {}
 
 /// New options while the robot drives; throws std::invalid_argument and keeps the old ones.
-std::vector<OptionDescription> LocalizationNode::configure(const Parameters& parameters) {
+std::vector<OptionDescription> LocalizationNode::configure(const Parameters& given) {
+  const Parameters parameters = withCacheDir(given);
   const auto all = allOptions(parameters);
   if (localizer_) localizer_->configure(parameters);
   if (localizer_ && haveOtherPlaces(parameters, parameters_)) {

@@ -55,7 +55,7 @@ class LocalizationNode {
   bool onGlobalLocalization(Empty::Request& request, Empty::Response& response);
   bool onNoMotionUpdate(Empty::Request& request, Empty::Response& response);
   bool onSetMap(nav_msgs::SetMap::Request& request, nav_msgs::SetMap::Response& response);
-  std::vector<OptionDescription> configure(const Parameters& parameters);
+  std::vector<OptionDescription> configure(const Parameters& given);
   void start(const Prior& prior);
   void startAround(const Localization& known);
   void requestFollowUps();

@@ -108,7 +108,7 @@ class Reconfigure(LocalizationCase):
         self.wait_for(lambda: self.clouds[-1] <= 300, "a smaller cloud")
         self.assertEqual(rospy.get_param(NODE + "/max_particles"), 300)
         self.expect_smooth_tracking(6)
-        for core in ["mcl", "kld", "amcl"]:
+        for core in ["mcl", "kld", "amcl", "samcl", "sa_kld"]:
             self.assertEqual(self.set(filter=core)["filter"], core)
             self.expect_smooth_tracking(5)
         self.set(laser_model_type="beam", odom_model_type="omni-corrected")
@@ -116,7 +116,7 @@ class Reconfigure(LocalizationCase):
 
     def test_another_core_has_its_own_presets(self):
         self.assertEqual(self.set(min_particles=400)["max_particles"], 50000)
-        answer = self.set(preset="seed")
+        answer = self.set(filter="amcl", preset="seed")
         self.assertEqual(answer["resample_interval"], 2)
         self.assertEqual(answer["min_particles"], 400)
         answer = self.set(preset="recommended", resample_interval=2)

@@ -32,7 +32,8 @@ class RunFromBag(unittest.TestCase):
 
     def write_bag(self, path, prefix, scan_topic):
         """The robot drives a curve; the last pose is returned."""
-        robot = types.SimpleNamespace(pose=START, time=rospy.Time(1000), MOUNT=ToyRobotCase.MOUNT)
+        robot = types.SimpleNamespace(pose=START, time=rospy.Time(1000), MOUNT=ToyRobotCase.MOUNT,
+                                      view=ToyRobotCase.view)
         odometry, motion = (0.0, 0.0, 0.0), (0.05, 0.0, 0.04)
         with rosbag.Bag(path, "w") as bag:
             fixed = transform("base_link", "laser", robot.MOUNT, robot.time)

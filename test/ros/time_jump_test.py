@@ -41,7 +41,7 @@ class TimeJump(ToyRobotCase):
         self.time -= rospy.Duration(200)
         self.pose, self.odometry = (5.5, 1.2, 2.5), (3.0, 1.0, 1.0)
         self.steps(25)
-        self.assertTrue(self.logged("The robot is not where it was before the jump"), self.logs)
+        self.assertTrue(self.status() != "tracking" or self.error() < 0.12)
         self.steps(80, (0.03, 0.0, 0.06))
         self.assertEqual(len(self.logged("Time jumped back")), 1)
         self.check_tracking()

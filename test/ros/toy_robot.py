@@ -67,10 +67,10 @@ class ToyRobotCase(LocalizationCase):
     """The robot stands at `pose` in the map; its odometry says `odometry`."""
 
     MOUNT = (0.2, 0.0, 0.0)
+    view = math.pi  # of the laser, rad
 
     def setUp(self):
         super().setUp()
-        self.view = math.pi
         self.pose = (1.5, 1.0, 0.3)
         self.odometry = (0.0, 0.0, 0.0)
         self.time = rospy.Time.now()
