@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What scoring, resampling, updating and building fields cost, on one thread. An item is a
-// particle and beam where beams count, else a particle, a cell or a ray.
-#include <benchmark/benchmark.h>
-
+// What scoring, resampling, updating, building fields and energy grids and searching cost, on one
+// thread. An item is a particle and beam where beams count, else a particle, a cell, a ray or a
+// pose.
 #include <string>
 
 #include "adaptive_localization/filter_registry.hpp"
@@ -11,6 +10,7 @@
 #include "adaptive_localization/parallel.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "heap_meter.hpp"
+#include "measure.hpp"
 #include "plain_field.hpp"
 #include "toy_building.hpp"
 
@@ -29,13 +29,6 @@ FilterContext contextFor(const std::shared_ptr<const OccupancyGrid>& map) {
   context.map = map;
   context.distance_field = std::make_shared<const DistanceField>(*map);
   return context;
-}
-
-void countItems(benchmark::State& state, std::int64_t per_iteration) {
-  state.SetItemsProcessed(state.iterations() * per_iteration);
-  state.counters["per_item"] = benchmark::Counter(
-      static_cast<double>(per_iteration),
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) {
@@ -168,6 +161,7 @@ int main(int argc, char** argv) {
   adaptive_localization::setThreads(1);
   adaptive_localization::registerScores();
   adaptive_localization::registerOthers();
+  adaptive_localization::registerPlaces();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
