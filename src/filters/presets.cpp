@@ -30,13 +30,10 @@ Preset sourceOfKld() {
 }
 
 Preset sourceOfSamcl() {
-  return {{"elsewhere", std::string("ser")},
-          {"kidnap_mean_abs_error", 0.74},
-          {"kidnap_truncation", 1000.0},
-          {"kidnap_confirm_scans", 1},
-          {"kidnap_margin", 0.0},
-          {"kidnap_arm_spread", 0.14},
-          {"local_share", 0.7}};
+  return {{"elsewhere", std::string("ser")}, {"kidnap_mean_abs_error", 0.74},
+          {"kidnap_truncation", 1000.0},     {"kidnap_confirm_scans", 1},
+          {"kidnap_unusual", 0.0},           {"kidnap_ratio", 0.0},
+          {"kidnap_arm_spread", 0.14},       {"local_share", 0.7}};
 }
 
 Preset stockAmcl() {

@@ -3,15 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "adaptive_localization/map/ray_caster.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr Eigen::Index kRays = 60;  // are enough for a mean
-constexpr std::size_t kPlaces = 5;  // looked at again with those
+constexpr Eigen::Index kRays = 60;      // are enough for a mean
+constexpr std::size_t kPlaces = 5;      // looked at again with those
+constexpr int kScansPerSearch = 3;      // as long as nothing is found: a search is dear
+constexpr double kLeastUnusual = 0.05;  // m, whatever is usual
+constexpr double kCovered = 0.7;        // share of beams that are too short
+
+/// How well a scan fits a pose.
+struct Fit {
+  double error;  // mean, truncated, m
+  double short_share;
+};
+
+/// The error that there is where the robot is: falls at once, rises slowly.
+class UsualError {
+ public:
+  void observe(double error) { value_ += (error < value_ ? 0.2 : 0.02) * (error - value_); }
+  double value() const { return value_; }
+
+ private:
+  double value_{0.05};  // a good map's
+};
 
 class KidnapTest : public Exploration {
  public:
@@ -23,25 +41,30 @@ class KidnapTest : public Exploration {
     armed_ = explained_before_ = false;
     unexplained_ = 0;
     share_ = 0.0;
+    usual_ = {};
+    candidates_.clear();
   }
 
   bool observe(const Evidence& evidence) override {
-    const Scan& scan = evidence.observations.scan;
     share_ = 0.0;
+    const Scan& scan = evidence.observations.scan;
     if (scan.hits() == 0) return true;
     armed_ = armed_ || isConverged(evidence);
-    const double here = meanError(evidence.best, scan);
-    if (!(here > options_.kidnap_mean_abs_error)) {
+    const Fit here = fitOf(evidence.best, scan);
+    if (!(here.error > mostExplained())) {
+      usual_.observe(here.error);
       explained_before_ = true;
       unexplained_ = 0;
+      candidates_.clear();
       return true;
     }
     ++unexplained_;
-    if (armed_ && unexplained_ >= options_.kidnap_confirm_scans &&
-        isElsewhere(evidence.observations, here)) {
+    const bool is_elsewhere = options_.kidnap_ratio == 0.0 || isElsewhere(evidence, here.error);
+    if (armed_ && unexplained_ >= options_.kidnap_confirm_scans && is_elsewhere) {
       share_ = 1.0 - options_.local_share;
     }
-    return share_ > 0.0 || !explained_before_ || here < coveredError();
+    const bool is_covered = options_.kidnap_ratio > 0.0 && here.short_share > kCovered;
+    return share_ > 0.0 || !explained_before_ || !is_covered;
   }
 
   double share() const override { return share_; }
@@ -57,36 +80,50 @@ class KidnapTest : public Exploration {
     return is_narrow && are_few;
   }
 
-  bool isElsewhere(const Observations& observations, double here) const {
-    if (options_.kidnap_margin == 0.0) return true;
-    const std::vector<Pose2> places = find_(observations);
-    return std::any_of(places.begin(), places.begin() + std::min(places.size(), kPlaces),
-                       [&](const Pose2& place) {
-                         return meanError(place, observations.scan) < here - options_.kidnap_margin;
-                       });
+  /// The largest error of a particle that explains a scan.
+  double mostExplained() const {
+    if (options_.kidnap_unusual == 0.0) return options_.kidnap_mean_abs_error;
+    return std::min(options_.kidnap_mean_abs_error,
+                    std::max(kLeastUnusual, options_.kidnap_unusual * usual_.value()));
   }
 
-  /// Half-way from an error that is too large to that of a scan in which every beam is wrong.
-  double coveredError() const {
-    if (options_.kidnap_margin == 0.0) return std::numeric_limits<double>::infinity();
-    return 0.5 * (options_.kidnap_mean_abs_error + options_.kidnap_truncation);
+  /// Whether a place found in the last scan explains this one too: what is before a covered laser
+  /// may look like some place in the map, but not twice like the same.
+  bool isElsewhere(const Evidence& evidence, double error_here) {
+    const Scan& scan = evidence.observations.scan;
+    const double most = error_here / options_.kidnap_ratio;
+    const auto fails = [&](const Pose2& place) { return !(fitOf(place, scan).error < most); };
+    for (Pose2& candidate : candidates_) candidate = candidate * evidence.motion;
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), fails),
+                      candidates_.end());
+    if (!candidates_.empty() && options_.kidnap_confirm_scans > 1) return true;
+    if (unexplained_ % kScansPerSearch != 1) return false;
+    candidates_ = find_(evidence.observations);
+    candidates_.resize(std::min(candidates_.size(), kPlaces));
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), fails),
+                      candidates_.end());
+    if (candidates_.empty()) usual_.observe(error_here);
+    return !candidates_.empty() && options_.kidnap_confirm_scans == 1;
   }
 
-  double meanError(const Pose2& T_map_base, const Scan& scan) const {
+  Fit fitOf(const Pose2& T_map_base, const Scan& scan) const {
     const Eigen::Vector2d start = T_map_base * scan.position;
     const Eigen::Index hits = scan.range.size();
     const Eigen::Index beams = hits + scan.no_return_bearing.size();
     const Eigen::Index step = std::max<Eigen::Index>(1, beams / kRays);
     double sum = 0.0;
-    int count = 0;
+    int count = 0, too_short = 0;
     for (Eigen::Index j = 0; j < beams; j += step, ++count) {
       const float bearing = j < hits ? scan.bearing[j] : scan.no_return_bearing[j - hits];
       const double z = j < hits ? static_cast<double>(scan.range[j]) : scan.max_range;
       const Pose2 ray{start.x(), start.y(), T_map_base.theta + static_cast<double>(bearing)};
-      const double error = std::abs(ray_caster_.range(ray, scan.max_range) - z);
+      const double missing = ray_caster_.range(ray, scan.max_range) - z;
+      const double error = std::abs(missing);
       sum += error < options_.kidnap_truncation ? error : options_.kidnap_truncation;
+      too_short += missing > options_.kidnap_truncation ? 1 : 0;
     }
-    return sum / std::max(1, count);
+    count = std::max(1, count);
+    return {sum / count, static_cast<double>(too_short) / count};
   }
 
   KidnapOptions options_;
@@ -96,6 +133,8 @@ class KidnapTest : public Exploration {
   bool explained_before_{false};
   int unexplained_{0};  // scans in a row
   double share_{0.0};
+  UsualError usual_;
+  std::vector<Pose2> candidates_;  // that explain the last scan much better
 };
 
 }  // namespace

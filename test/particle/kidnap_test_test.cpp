@@ -15,10 +15,11 @@ const Pose2 kElsewhere{7.0, 3.4, 2.0};
 
 KidnapOptions options() {
   KidnapOptions options;
-  options.kidnap_mean_abs_error = 0.2;
-  options.kidnap_truncation = 0.5;
+  options.kidnap_mean_abs_error = 0.16;
+  options.kidnap_truncation = 0.25;
+  options.kidnap_unusual = 2.0;
   options.kidnap_confirm_scans = 2;
-  options.kidnap_margin = 0.1;
+  options.kidnap_ratio = 2.5;
   options.local_share = 0.7;
   return options;
 }
@@ -28,7 +29,8 @@ KidnapOptions sourceOptions() {
   source.kidnap_mean_abs_error = 0.74;
   source.kidnap_truncation = 1000.0;
   source.kidnap_confirm_scans = 1;
-  source.kidnap_margin = 0.0;
+  source.kidnap_unusual = 0.0;
+  source.kidnap_ratio = 0.0;
   source.kidnap_arm_spread = 0.14;
   return source;
 }
@@ -52,12 +54,13 @@ class KidnapTestTest : public testing::Test {
   /// Tells of a scan and of the best particle, and whether that may weigh the particles.
   bool tell(const Observations& seen, const Pose2& best, double spread = 0.05,
             Eigen::Index particles = 500) {
-    return test_->observe({seen, 0.5, best, spread, particles});
+    return test_->observe({seen, motion_, 0.5, best, spread, particles});
   }
 
   std::unique_ptr<Exploration> test_;
   std::vector<Pose2> places_;
   int searches_{0};
+  Pose2 motion_;  // from scan to scan
 };
 
 TEST_F(KidnapTestTest, LooksNowhereWhileTheBestParticleExplainsTheScans) {
@@ -70,11 +73,11 @@ TEST_F(KidnapTestTest, LooksNowhereWhileTheBestParticleExplainsTheScans) {
 
 TEST_F(KidnapTestTest, LooksElsewhereWhenScansAreUnexplainedHereAndExplainedThere) {
   use(options());
-  places_ = {kElsewhere};
+  places_ = {kTruth, kElsewhere};
   tell(seenFrom(kTruth), kTruth);
+  EXPECT_EQ(searches_, 0);
   tell(seenFrom(kElsewhere), kTruth);
   EXPECT_EQ(test_->share(), 0.0);  // one scan is no proof
-  EXPECT_EQ(searches_, 0);
   tell(seenFrom(kElsewhere), kTruth);
   EXPECT_NEAR(test_->share(), 0.3, 1e-12);
   test_->explored();
@@ -83,11 +86,16 @@ TEST_F(KidnapTestTest, LooksElsewhereWhenScansAreUnexplainedHereAndExplainedTher
   EXPECT_EQ(test_->share(), 0.0);
 }
 
-TEST_F(KidnapTestTest, TakesTheBestOfThePlacesThatWereFound) {
-  use(options());
-  places_ = {kTruth, kElsewhere};
-  for (int i = 0; i < 2; ++i) tell(seenFrom(kElsewhere), kTruth);
-  EXPECT_GT(test_->share(), 0.0);
+TEST_F(KidnapTestTest, ThePlaceElsewhereMovesWithTheOdometry) {
+  const Pose2 later = kElsewhere * Pose2{0.3, 0.0, 0.2};
+  for (const bool moves : {true, false}) {
+    use(options());
+    motion_ = moves ? Pose2{0.3, 0.0, 0.2} : Pose2{};
+    places_ = {kElsewhere};
+    tell(seenFrom(kElsewhere), kTruth);
+    tell(seenFrom(later), kTruth);
+    EXPECT_EQ(test_->share() > 0.0, moves);
+  }
 }
 
 TEST_F(KidnapTestTest, CountsScansInARow) {
@@ -103,18 +111,37 @@ TEST_F(KidnapTestTest, StaysWhereNothingElsewhereIsBetter) {
   use(options());
   for (const auto& places : {std::vector<Pose2>{}, {kTruth}, {Pose2{3.0, 0.8, 2.0}}}) {
     places_ = places;
+    searches_ = 0;
     test_->reset();
-    for (int i = 0; i < 5; ++i) tell(seenFrom(kElsewhere), kTruth);
-    EXPECT_EQ(test_->share(), 0.0) << places.size();
-    EXPECT_GT(searches_, 0);
+    for (int i = 0; i < 10; ++i) {
+      tell(seenFrom(kElsewhere), kTruth);
+      EXPECT_EQ(test_->share(), 0.0) << i;
+    }
+    EXPECT_EQ(searches_, 4);  // each third scan
+  }
+}
+
+TEST_F(KidnapTestTest, ASmallErrorMayBeUnusual) {
+  const Pose2 beside = kTruth * Pose2{0.06, 0.05, 0.0};
+  for (const double unusual : {2.0, 0.0}) {
+    KidnapOptions changed = options();
+    changed.kidnap_unusual = unusual;
+    use(changed);
+    places_ = {kTruth};
+    for (int i = 0; i < 20; ++i) tell(seenFrom(kTruth), kTruth);
+    for (int i = 0; i < 3; ++i) tell(seenFrom(kTruth), beside);
+    EXPECT_EQ(test_->share() > 0.0, unusual > 0.0);
   }
 }
 
 TEST_F(KidnapTestTest, AThirdOfTheBeamsMayBeBlocked) {
   use(options());
-  for (int i = 0; i < 5; ++i) EXPECT_TRUE(tell(seenFrom(kTruth, 33), kTruth));
-  EXPECT_EQ(searches_, 0);
-  EXPECT_EQ(test_->share(), 0.0);
+  places_ = {kTruth, kElsewhere};
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(tell(seenFrom(kTruth), kTruth));
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_TRUE(tell(seenFrom(kTruth, 33), kTruth));
+    EXPECT_EQ(test_->share(), 0.0);
+  }
 }
 
 TEST_F(KidnapTestTest, ACoveredLaserWeighsNothingIfScansWereExplainedBefore) {

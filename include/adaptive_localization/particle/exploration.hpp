@@ -35,6 +35,7 @@ struct ExplorationOptions {
 /// before the weights are normalised.
 struct Evidence {
   const Observations& observations;
+  Pose2 motion;            // since the last update, T_previous_current
   double mean_likelihood;  // per beam, over the particles
   Pose2 best;              // the particle that explains the observations best
   double spread;           // mean distance of the particles from their mean, m

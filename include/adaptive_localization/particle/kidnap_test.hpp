@@ -12,10 +12,11 @@
 namespace adaptive_localization {
 
 struct KidnapOptions {
-  double kidnap_mean_abs_error{0.2};
-  double kidnap_truncation{0.5};
+  double kidnap_mean_abs_error{0.16};
+  double kidnap_truncation{0.25};
+  double kidnap_unusual{2.0};
   int kidnap_confirm_scans{2};
-  double kidnap_margin{0.1};
+  double kidnap_ratio{2.5};
   double kidnap_arm_spread{0.0};
   int kidnap_arm_particles{0};
   double local_share{0.2};
@@ -29,11 +30,15 @@ struct KidnapOptions {
         "kidnap_truncation", kidnap_truncation, kPositive, "m",
         "A range that is wrong by more than this counts as wrong by this: what people before the "
         "laser may add.");
+    option(
+        "kidnap_unusual", kidnap_unusual, kNotNegative, "",
+        "Nor does it if the error is this many times the usual one; 0: never mind what is usual.");
     option("kidnap_confirm_scans", kidnap_confirm_scans, Range{1, 1000}, "",
            "Scans in a row that the best particle does not explain before others are looked for.");
-    option("kidnap_margin", kidnap_margin, kNotNegative, "m",
-           "How much smaller the mean range error of a place found elsewhere must be for particles "
-           "to be drawn there; 0: nothing need be found.");
+    option(
+        "kidnap_ratio", kidnap_ratio, kNotNegative, "",
+        "How many times smaller the error of a place found elsewhere must be for particles to be "
+        "drawn there; 0: nothing need be found.");
     option("kidnap_arm_spread", kidnap_arm_spread, kNotNegative, "m",
            "The test is on once the mean distance of particles from their mean was below this; 0: "
            "from the start.");
@@ -52,13 +57,16 @@ using FindElsewhere = std::function<std::vector<Pose2>(const Observations&)>;
 ///
 ///     e(pose) = (1 / I) sum_i min(|z_i* - z_i|, c)
 ///
-/// z* by exact ray casting and a no-return counting as max_range: if e(best particle) is above
-/// kidnap_mean_abs_error for kidnap_confirm_scans scans, and e(best place found) is smaller by
-/// kidnap_margin, then a share 1 - local_share of the next set is drawn elsewhere.
+/// z* by exact ray casting and a no-return counting as max_range, a scan is unexplained if e of the
+/// best particle is above kidnap_mean_abs_error or unusual. If that many scans in a row are, and a
+/// place found elsewhere has an e that is kidnap_ratio times smaller, in one scan and moved by
+/// odometry in the next, a share 1 - local_share of the next set is drawn elsewhere. The ratio is
+/// that of the likelihoods of both places, the noise of ranges (Laplace) being unknown:
 ///
-/// If no such place is found, and neither c nor the error leave much of the scan explained, then
-/// the laser is covered or the robot is where the map knows nothing: particles that explained scans
-/// before are not weighed by this one.
+///     log p(scan | there) - log p(scan | here) = I log(e_here / e_there)
+///
+/// Where nothing better is found and nearly all beams are too short, something stands before the
+/// laser: particles that explained scans before are not weighed by this one.
 std::unique_ptr<Exploration> kidnapTest(const KidnapOptions& options,
                                         std::shared_ptr<const OccupancyGrid> map,
                                         FindElsewhere find);
