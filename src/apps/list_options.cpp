@@ -108,7 +108,7 @@ void printYaml(const std::string& core, const std::string& preset) {
   std::cout << "# Core " << core << ", preset " << preset << ": "
             << FilterRegistry{}.find(core).sentence << '\n';
   for (const auto& option : localizer.effectiveOptions()) {
-    if (option.key == "plugins") continue;
+    if (exactText(option.value).empty()) continue;  // a folder of your own
     const std::string limits = allowed(option);
     std::cout << "\n# " << option.sentence << (limits.empty() ? "" : " [" + limits + "]") << '\n'
               << option.key << ": " << exactText(option.value) << '\n';
