@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/parallel.hpp"
 
+#include <atomic>
 #include <opencv2/core.hpp>
 
 namespace adaptive_localization {
 
-void setThreads(int count) { cv::setNumThreads(count); }
+/// Localizers that run beside each other ask for the same number again and again, and OpenCV's pool
+/// must not be made anew under one that uses it.
+void setThreads(int count) {
+  static std::atomic<int> current{-1};
+  if (current.exchange(count) != count) cv::setNumThreads(count);
+}
 
 void parallelFor(std::size_t count, std::size_t chunk_size,
                  const std::function<void(const Chunk&)>& body) {
