@@ -81,6 +81,12 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
   row.found = shareOf(trials, [](const Trial& t) { return t.found_s.has_value(); });
   row.found_median_s = timeOf(found, 0.5);
   row.found_p95_s = timeOf(found, 0.95);
+  std::vector<double> clear;
+  for (const auto& trial : trials) {
+    if (trial.searching_ambiguous == 0) clear.push_back(trial.found_s.value_or(kNever));
+  }
+  row.clear_median_s = timeOf(clear, 0.5);
+  row.clear_p95_s = timeOf(clear, 0.95);
   row.told_median_s = timeOf(told, 0.5);
   row.told_p95_s = timeOf(told, 0.95);
   std::copy_if(found.begin(), found.end(), std::back_inserter(row.found_s),

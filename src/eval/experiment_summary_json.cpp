@@ -37,6 +37,8 @@ nlohmann::ordered_json toJson(const ExperimentSummary& row) {
   json["told_s"]["median"] = toJson(row.told_median_s);
   json["told_s"]["p95"] = toJson(row.told_p95_s);
   json["silent_failures"] = toJson(row.silent_failures);
+  json["found_clear_s"]["median"] = toJson(row.clear_median_s);
+  json["found_clear_s"]["p95"] = toJson(row.clear_p95_s);
   json["right_at_end"] = toJson(row.right_at_end);
   json["told_early_scans"]["median"] = row.told_early_median;
   json["told_early_scans"]["max"] = row.told_early_most;

@@ -49,6 +49,11 @@ std::vector<std::pair<std::string, Cell>> findingColumns() {
          return r.found.of ? seconds(r.told_median_s) + ", " + seconds(r.told_p95_s) : "";
        }},
       {"ambiguous before", [](const Row& r) { return countOf(r.ambiguous); }},
+      {"found after s, where not ambiguous",
+       [](const Row& r) {
+         const bool is_else = r.ambiguous.count > 0 && r.ambiguous.count < r.ambiguous.of;
+         return is_else ? seconds(r.clear_median_s) + ", " + seconds(r.clear_p95_s) : "";
+       }},
       {"scans that say tracking before: median, most",
        [](const Row& r) {
          if (r.found.of == 0) return std::string();

@@ -66,6 +66,16 @@ TEST(ExperimentSummary, CountsAndTakesQuantiles) {
   EXPECT_EQ(row.particles_max, 100);
 }
 
+TEST(ExperimentSummary, TellsTrialsThatWereAmbiguousApart) {
+  auto runs = tenRuns("kld");
+  for (auto& run : runs) run.trials.front().searching_ambiguous = run.id.seed > 4;
+  const ExperimentSummary row = summarize(runs).front();
+  EXPECT_EQ(row.ambiguous.count, 6);
+  EXPECT_EQ(row.clear_median_s, 2.0);
+  EXPECT_EQ(row.clear_p95_s, 4.0);
+  EXPECT_THAT(toTables({row}), HasSubstr("| 6/10 | 2.0, 4.0 |"));
+}
+
 TEST(ExperimentSummary, LeavesOutStartsThatWereKnown) {
   ExperimentResult run = runWith("kld", 1, 0.0);
   run.trials.front().kind = Trial::Kind::kKnownStart;

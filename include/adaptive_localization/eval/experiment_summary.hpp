@@ -18,6 +18,8 @@ struct ExperimentSummary {
   int runs{0};
   Share found;
   std::optional<double> found_median_s, found_p95_s, told_median_s, told_p95_s;  // none: never
+  // The same of the trials in which no scan said ambiguous before.
+  std::optional<double> clear_median_s, clear_p95_s;
   std::vector<double> found_s;  // of those that were found, ascending
   Share right_at_end;           // trials at whose end the estimate was not wrong
   // Scans of a trial that said tracking before the robot was found.
