@@ -2,6 +2,7 @@
 #include "adaptive_localization/ser/energy_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -14,6 +15,46 @@ namespace {
 int orientationsFor(const ScanGeometry& geometry, const EnergyGridOptions& options) {
   return geometry.count == kDirections ? 1 : options.energy_orientations;
 }
+
+/// For each direction, the sum of the ranges of `beams` directions, `step` apart, from it on: by
+/// doubling, from sums of 1, 2, 4 and so on.
+class BeamSums {
+ public:
+  using Sums = std::array<std::uint16_t, kDirections>;
+
+  BeamSums(int beams, int step) : beams_(beams), step_(step) {}
+
+  const Sums& of(const std::uint8_t* ranges) {
+    std::copy(ranges, ranges + kDirections, doubled_.begin());
+    total_.fill(0);
+    int summed = 0;  // beams in total_
+    for (int many = 1;; many *= 2) {
+      if ((beams_ & many) != 0) {
+        add(doubled_, summed * step_, total_);
+        summed += many;
+      }
+      if (summed == beams_) return total_;
+      const Sums single = doubled_;
+      add(single, many * step_, doubled_);
+    }
+  }
+
+ private:
+  /// to[i] += from[i + shift], round the circle.
+  static void add(const Sums& from, int shift, Sums& to) {
+    const auto turned = static_cast<std::size_t>(shift % kDirections);
+    const std::size_t whole = kDirections - turned;
+    for (std::size_t i = 0; i < whole; ++i) {
+      to[i] = static_cast<std::uint16_t>(to[i] + from[i + turned]);
+    }
+    for (std::size_t i = whole; i < kDirections; ++i) {
+      to[i] = static_cast<std::uint16_t>(to[i] + from[i - whole]);
+    }
+  }
+
+  int beams_, step_;
+  Sums doubled_, total_;
+};
 
 }  // namespace
 
@@ -56,26 +97,17 @@ int EnergyGrid::firstDirection(int orientation) const {
   return orientation * kDirections / orientations_;
 }
 
-int EnergyGrid::sumOf(const std::uint8_t* ranges, int orientation) const {
-  int sum = 0;
-  int direction = firstDirection(orientation);
-  for (int k = 0; k < beams_; ++k) {
-    sum += ranges[direction];
-    direction += beam_step_;
-    if (direction >= kDirections) direction -= kDirections;
-  }
-  return sum;
-}
-
 /// Counting sort: sums are small integers.
 EnergyGrid::Sorted EnergyGrid::sort() const {
   const std::size_t poses = ranges_->size() * static_cast<std::size_t>(orientations_);
   std::vector<std::uint16_t> sums(poses);
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
+    BeamSums beam_sums(beams_, beam_step_);
+    std::uint16_t* sum = sums.data() + chunk.begin * static_cast<std::size_t>(orientations_);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const BeamSums::Sums& of_cell = beam_sums.of(ranges_->ranges(i));
       for (int o = 0; o < orientations_; ++o) {
-        sums[i * static_cast<std::size_t>(orientations_) + static_cast<std::size_t>(o)] =
-            static_cast<std::uint16_t>(sumOf(ranges_->ranges(i), o));
+        *sum++ = of_cell[static_cast<std::size_t>(firstDirection(o))];
       }
     }
   });

@@ -2,6 +2,7 @@
 #include "adaptive_localization/ser/range_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -125,30 +126,49 @@ class RangeTableBuilder {
     std::size_t count;
   };
 
-  /// Tile by tile, so that planes of columns are read while they are in the cache.
+  /// Tile by tile and there line by line of the planes, so that what is read and what is written
+  /// stays in the cache.
   void dealOut(const Directions& directions, const std::vector<std::uint8_t>& planes,
                bool planes_are_columns, std::uint8_t* ranges) const {
-    constexpr int kTile = 32;
-    const int tiles_x = (spaced_.width() + kTile - 1) / kTile;
-    const int tiles_y = (spaced_.height() + kTile - 1) / kTile;
-    const auto tiles = static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>(tiles_y);
+    const int lines = planes_are_columns ? spaced_.width() : spaced_.height();
+    const int length = planes_are_columns ? spaced_.height() : spaced_.width();
+    const int tiles_across = (length + kTile - 1) / kTile;
+    const auto tiles = static_cast<std::size_t>(tiles_across) *
+                       static_cast<std::size_t>((lines + kTile - 1) / kTile);
     parallelFor(tiles, 1, [&](const Chunk& chunk) {
-      const int left = static_cast<int>(chunk.begin) % tiles_x * kTile;
-      const int top = static_cast<int>(chunk.begin) / tiles_x * kTile;
-      const int right = std::min(left + kTile, spaced_.width());
-      const int bottom = std::min(top + kTile, spaced_.height());
-      for (std::size_t k = 0; k < directions.count; ++k) {
-        const std::uint8_t* plane = planes.data() + k * planeSize();
-        for (int y = top; y < bottom; ++y) {
-          for (int x = left; x < right; ++x) {
-            const std::uint32_t number = number_[at(x, y, spaced_.width())];
-            if (number == kNoCell) continue;
-            ranges[number * RangeTable::kStride + static_cast<std::size_t>(directions.begin[k])] =
-                plane[planes_are_columns ? at(y, x, spaced_.height()) : at(x, y, spaced_.width())];
-          }
+      const int first_line = static_cast<int>(chunk.begin) / tiles_across * kTile;
+      const int first = static_cast<int>(chunk.begin) % tiles_across * kTile;
+      for (int line = first_line; line < std::min(first_line + kTile, lines); ++line) {
+        const FreeCells cells =
+            freeCells(line, first, std::min(first + kTile, length), planes_are_columns);
+        for (std::size_t k = 0; k < directions.count; ++k) {
+          const std::uint8_t* seen = planes.data() + k * planeSize() + at(0, line, length);
+          std::uint8_t* out = ranges + directions.begin[k];
+          for (std::size_t c = 0; c < cells.count; ++c) out[cells.row[c]] = seen[cells.place[c]];
         }
       }
     });
+  }
+
+  static constexpr int kTile = 32;
+
+  /// The free cells of a part of a line: where on it, and where their rows of ranges begin.
+  struct FreeCells {
+    std::size_t count{0};
+    std::array<int, kTile> place;
+    std::array<std::size_t, kTile> row;
+  };
+  FreeCells freeCells(int line, int first, int end, bool lines_are_columns) const {
+    FreeCells cells;
+    for (int v = first; v < end; ++v) {
+      const std::uint32_t number =
+          number_[lines_are_columns ? at(line, v, spaced_.width()) : at(v, line, spaced_.width())];
+      if (number == kNoCell) continue;
+      const std::size_t c = cells.count++;
+      cells.place[c] = v;
+      cells.row[c] = number * RangeTable::kStride;
+    }
+    return cells;
   }
 
   const OccupancyGrid& map_;

@@ -111,7 +111,6 @@ class EnergyGrid {
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
              const EnergyGridOptions& options, Sorted sorted);
   Sorted sort() const;
-  int sumOf(const std::uint8_t* ranges, int orientation) const;
   int firstDirection(int orientation) const;
 
   std::shared_ptr<const RangeTable> ranges_;
