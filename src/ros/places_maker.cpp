@@ -73,7 +73,8 @@ void PlacesMaker::poll() {
   if (grid == known_) return;
   known_ = grid;
   ROS_INFO("Energy grid ready: %zu poses, %.1f MB, %s in %.3f s", grid->size(),
-           1e-6 * static_cast<double>(grid->bytes()), "built",
+           1e-6 * static_cast<double>(grid->bytes()),
+           places_->isNewestFromCache() ? "loaded" : "built",
            (ros::WallTime::now() - begun_).toSec());
 }
 

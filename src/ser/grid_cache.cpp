@@ -64,6 +64,7 @@ bool GridCache::isThere(const std::string& file) const {
 
 void GridCache::write(const std::string& file, std::uint64_t key,
                       const std::vector<ArrayFile::Bytes>& arrays) {
+  had_all_ = false;
   if (folder_.empty()) return;
   std::error_code error;
   fs::create_directories(folder_, error);

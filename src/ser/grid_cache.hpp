@@ -27,6 +27,9 @@ class GridCache {
                                          const ScanGeometry& geometry,
                                          const EnergyGridOptions& options);
 
+  /// Whether all that was asked for was in the folder.
+  bool hadAll() const { return had_all_; }
+
   /// What is wrong with the folder and its files.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -41,6 +44,7 @@ class GridCache {
 
   std::string folder_;
   const OccupancyGrid& map_;
+  bool had_all_{true};
   std::vector<std::string> warnings_;
 };
 

@@ -54,6 +54,7 @@ Places::Entry Places::make(const ScanGeometry& geometry,
     ranges = cache.ranges(geometry.max_range, EnergyGrid::spacingFor(*map_, geometry, options_));
   }
   entry.grid = cache.grid(ranges, geometry, options_);
+  entry.is_from_cache = cache.hadAll();
   entry.warnings = cache.warnings();
   entry.search =
       std::make_shared<const GlobalSearch>(entry.grid, map_, distance_field_, search_options_);

@@ -43,6 +43,9 @@ class Places {
   /// The grid that was ready last; null before the first. Starts nothing.
   std::shared_ptr<const EnergyGrid> newestGrid();
 
+  /// Whether that one was read from cache_dir.
+  bool isNewestFromCache() const { return !entries_.empty() && entries_.back().is_from_cache; }
+
   /// What there was to say since last asked: damaged cache files, coarser grids.
   std::vector<std::string> takeWarnings();
 
@@ -51,6 +54,7 @@ class Places {
     ScanGeometry geometry;
     std::shared_ptr<const EnergyGrid> grid;
     std::shared_ptr<const GlobalSearch> search;
+    bool is_from_cache{false};
     std::vector<std::string> warnings;
   };
   Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges) const;
