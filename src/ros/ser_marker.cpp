@@ -9,14 +9,16 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Blue at -1, green at 0, red at 1.
+/// Light blue at -1, green at 0, red at 1: a background for all else. Opaque, so that rviz draws it
+/// first.
 std_msgs::ColorRGBA colourOf(double deviation) {
+  constexpr float kPale = 0.6F;
   const auto share = static_cast<float>(std::clamp(deviation, -1.0, 1.0));
   std_msgs::ColorRGBA colour;
-  colour.r = std::max(0.0F, share);
-  colour.g = 0.8F * (1.0F - std::abs(share));
-  colour.b = std::max(0.0F, -share);
-  colour.a = 0.5F;
+  colour.r = kPale + (1.0F - kPale) * std::max(0.0F, share);
+  colour.g = 1.0F - 0.25F * std::abs(share);
+  colour.b = kPale + (1.0F - kPale) * std::max(0.0F, -share);
+  colour.a = 1.0F;
   return colour;
 }
 

@@ -16,14 +16,14 @@ constexpr std::size_t kMost = 20;  // texts
 std_msgs::ColorRGBA colourOf(Status status) {
   std_msgs::ColorRGBA colour;
   colour.a = 1.0F;
-  colour.r = status == Status::kTracking ? 0.0F : 0.8F;
-  colour.g = status == Status::kTracking ? 0.45F : status == Status::kLost ? 0.0F : 0.4F;
+  colour.r = status == Status::kTracking ? 0.0F : 0.6F;
+  colour.g = status == Status::kTracking ? 0.35F : status == Status::kLost ? 0.0F : 0.2F;
   return colour;
 }
 
 Marker textAt(const Pose2& T_map_base, const std::string& text) {
-  constexpr double kHeight = 0.25;  // m, of a letter
-  constexpr double kAside = 0.45;   // m, so that the robot is not hidden
+  constexpr double kHeight = 0.3;  // m, of a letter
+  constexpr double kAside = 0.5;   // m, so that the robot is not hidden
   Marker marker;
   marker.ns = "status";
   marker.type = Marker::TEXT_VIEW_FACING;
