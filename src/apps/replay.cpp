@@ -10,6 +10,7 @@
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"
 #include "adaptive_localization/eval/report.hpp"
+#include "adaptive_localization/eval/search_run.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 
@@ -53,6 +54,17 @@ void writeResults(const ReplayCommand& command, const RunDescription& descriptio
   if (!command.is_quiet) std::cout << summarize(description, metrics) << '\n';
 }
 
+void search(const ReplayCommand& command, const Localizer& localizer, const Log& log) {
+  SearchMetrics metrics;
+  {
+    ProgressBar bar(static_cast<std::size_t>(command.search), !command.is_quiet);
+    metrics = searchLog(log, localizer.places(), localizer.scanOptions(), command.search,
+                        [&bar](std::size_t done) { bar.show(done); });
+  }
+  if (!command.json_file.empty()) saveJson(toJson(metrics), command.json_file);
+  if (!command.is_quiet) std::cout << summarize(metrics) << '\n';
+}
+
 void replay(const ReplayCommand& command) {
   const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
   Localizer localizer(command.parameters, map);
@@ -62,6 +74,7 @@ void replay(const ReplayCommand& command) {
   for (const auto& key : unknownKeys(localizer, command.parameters)) {
     warn({"unknown parameter '" + key + "'"});
   }
+  if (command.search > 0) return search(command, localizer, log);
   localizer.reset(prior);
 
   RunRecord run;

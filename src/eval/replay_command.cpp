@@ -19,6 +19,14 @@ double toNumber(const std::string& name, const std::string& text) {
   return number;
 }
 
+int toCount(const std::string& name, const std::string& text) {
+  const double number = toNumber(name, text);
+  if (number < 1.0 || number > 1e9 || number != std::floor(number)) {
+    throw std::invalid_argument(name + ": got '" + text + "', expected a whole number from 1");
+  }
+  return static_cast<int>(number);
+}
+
 /// What to do with the value of each option.
 using Handlers = std::map<std::string, std::function<void(const std::string&)>>;
 
@@ -78,6 +86,7 @@ Handlers makeHandlers(ReplayCommand& command, GivenParameters& given) {
       {"--begin", number("--begin", command.log.begin)},
       {"--end", number("--end", command.log.end)},
       {"--seed", [&](const auto& v) { given.own.set("seed", toNumber("--seed", v)); }},
+      {"--search", [&](const auto& v) { command.search = toCount("--search", v); }},
       {"--threads", [&](const auto& v) { given.own.set("threads", toNumber("--threads", v)); }},
       {"--scan-topic", text(command.log.scan_topic)},
       {"--odom-topic", text(command.log.odom_topic)},
@@ -105,6 +114,8 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --begin STAMP, --end STAMP
                           use only this part of the log
   --seed N, --threads N   of the filter
+  --search N              no filter: N scans, spread over the log, are each looked for in the whole
+                          map, and the answers compared with the reference
   --scan-topic T          laser scans; needed only if the bag has several such topics
   --odom-topic T          odometry from this topic rather than from /tf
   --truth-topic T         reference poses from the bag

@@ -68,6 +68,7 @@ TEST(ReplayCommand, RejectsWhatItDoesNotKnow) {
   expectRejected(with({"--seed"}), "--seed needs a value");
   expectRejected(with({"--start", "--quiet"}), "--start needs a value");
   expectRejected(with({"--seed", "two"}), "--seed: got 'two', expected a number");
+  expectRejected(with({"--search", "0"}), "--search: got '0', expected a whole number from 1");
   expectRejected(with({"--begin", "nan"}), "--begin: got 'nan', expected a number");
   expectRejected(with({"--begin", "2", "--end", "1"}), "--begin is later than --end");
   expectRejected(with({"--set", "alpha1"}), "--set: got 'alpha1', expected KEY=VALUE");

@@ -111,6 +111,24 @@ TEST_F(Replay, FollowsADriveAndWritesAll) {
   EXPECT_THAT(readWhole(folder_.file("o.png")), HasSubstr("PNG"));
 }
 
+TEST_F(Replay, SearchesSingleScansInTheWholeMap) {
+  const ProgramResult result =
+      replay({"--truth", truth_, "--search", "10", "--json", folder_.file("o.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("10 scans, each alone"));
+  const auto json = nlohmann::json::parse(readWhole(folder_.file("o.json")));
+  EXPECT_EQ(json.at("scans"), 10);
+  EXPECT_EQ(json.at("among"), 10);
+  EXPECT_EQ(json.at("ambiguous"), 10) << "the room looks the same after half a turn";
+  EXPECT_EQ(json.at("nowhere"), 0);
+}
+
+TEST_F(Replay, RefusesToSearchWithoutReference) {
+  const ProgramResult result = replay({"--search", "10"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("--search: no scan has a reference pose"));
+}
+
 TEST_F(Replay, GivesTheSameBitsAgainAndForAnyNumberOfThreads) {
   std::vector<std::string> trajectories;
   for (const char* threads : {"1", "1", "2", "4"}) {

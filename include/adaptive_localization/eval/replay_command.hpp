@@ -18,6 +18,7 @@ struct ReplayCommand {
   std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
   std::string trajectory_file, json_file, plot_file;
+  int search{0};  // scans to be searched instead
   bool is_quiet{false};
   bool wants_help{false};
 };
