@@ -28,7 +28,8 @@ class BestPoses {
  public:
   static constexpr std::size_t kMost = 100000;
 
-  explicit BestPoses(int margin) : margin_(margin) {}
+  /// Poses of more than the greatest cost are none at all.
+  BestPoses(int margin, int greatest) : margin_(margin), limit_(greatest) {}
 
   int limit() const { return limit_; }
 
@@ -57,7 +58,7 @@ class BestPoses {
   }
 
   int margin_;
-  int limit_{1 << 30};
+  int limit_;
   std::vector<SearchPose> poses_;
 };
 
@@ -87,9 +88,8 @@ int GlobalSearch::truncation() const {
   return static_cast<int>(std::clamp(std::round(steps), 1.0, 255.0));
 }
 
-int GlobalSearch::margin(const DirectionalScan& scan) const {
-  return static_cast<int>(
-      std::ceil(options_.search_margin * scan.valid / grid_->ranges().metresPerStep()));
+int GlobalSearch::steps(double error, const DirectionalScan& scan) const {
+  return static_cast<int>(std::ceil(error * scan.valid / grid_->ranges().metresPerStep()));
 }
 
 /// Bounds of all blocks and heading groups: [block * groups + group].
@@ -98,12 +98,12 @@ std::vector<std::uint16_t> GlobalSearch::bounds(const DirectionalScan& scan) con
   const ScanTargets groups(scan, kHeadingsPerGroup);
   const auto per_block = static_cast<std::size_t>(groups.size());
   std::vector<std::uint16_t> bounds(blocks.size() * per_block);
+  const int most = truncation();
   parallelFor(blocks.size(), 256, [&](const Chunk& chunk) {
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       for (int g = 0; g < groups.size(); ++g) {
-        bounds[b * per_block + static_cast<std::size_t>(g)] =
-            static_cast<std::uint16_t>(kSumOfDistances(blocks.low(b), blocks.high(b), groups.low(g),
-                                                       groups.high(g), truncation()));
+        bounds[b * per_block + static_cast<std::size_t>(g)] = static_cast<std::uint16_t>(
+            kSumOfDistances(blocks.low(b), blocks.high(b), groups.low(g), groups.high(g), most));
       }
     }
   });
@@ -114,9 +114,10 @@ std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) con
   const RangeTable& table = grid_->ranges();
   const RangeBlocks& blocks = table.blocks();
   const ScanTargets targets(scan, 1);
+  const int most = truncation();
   const std::vector<std::uint16_t> bound = bounds(scan);
   constexpr std::size_t kGroups = kDirections / kHeadingsPerGroup;
-  BestPoses best(margin(scan));
+  BestPoses best(steps(options_.search_margin, scan), steps(options_.search_max_error, scan));
   std::size_t visited = 0;
   for (const std::uint32_t node : ascending(bound)) {
     if (bound[node] > best.limit()) break;
@@ -125,8 +126,8 @@ std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) con
     for (const std::uint32_t* cell = blocks.begin(block); cell != blocks.end(block); ++cell) {
       const std::uint8_t* ranges = table.ranges(*cell);
       for (int d = first; d < first + kHeadingsPerGroup; ++d) {
-        best.add({*cell, d,
-                  kSumOfDistances(ranges, ranges, targets.low(d), targets.high(d), truncation())});
+        best.add(
+            {*cell, d, kSumOfDistances(ranges, ranges, targets.low(d), targets.high(d), most)});
       }
       visited += kHeadingsPerGroup;
     }
@@ -138,12 +139,12 @@ std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) con
 std::vector<SearchPose> GlobalSearch::findPosesPlainly(const DirectionalScan& scan) const {
   const RangeTable& table = grid_->ranges();
   const ScanTargets targets(scan, 1);
-  BestPoses best(margin(scan));
+  const int most = truncation();
+  BestPoses best(steps(options_.search_margin, scan), steps(options_.search_max_error, scan));
   for (std::uint32_t cell = 0; cell < table.size(); ++cell) {
     const std::uint8_t* ranges = table.ranges(cell);
     for (int d = 0; d < kDirections; ++d) {
-      best.add({cell, d,
-                kSumOfDistances(ranges, ranges, targets.low(d), targets.high(d), truncation())});
+      best.add({cell, d, kSumOfDistances(ranges, ranges, targets.low(d), targets.high(d), most)});
     }
   }
   visited_share_ = 1.0;

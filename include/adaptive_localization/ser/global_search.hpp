@@ -14,6 +14,7 @@ namespace adaptive_localization {
 struct GlobalSearchOptions {
   double search_truncation{0.5};
   double search_margin{0.05};
+  double search_max_error{0.3};
   int search_max_places{100};
 
   template <class Visitor>
@@ -24,6 +25,9 @@ struct GlobalSearchOptions {
     option("search_margin", search_margin, kNotNegative, "m",
            "Places whose mean range error per beam is this much above the best one's are still "
            "candidates (global search).");
+    option("search_max_error", search_max_error, kPositive, "m",
+           "Nowhere was a scan taken whose mean range error per beam is above this everywhere "
+           "(global search).");
     option("search_max_places", search_max_places, Range{1, 10000}, "",
            "Candidates kept by the global search at the most.");
   }
@@ -62,7 +66,8 @@ class GlobalSearch {
   /// Distinct places, refined below the lattice's spacing, best first.
   std::vector<Place> find(const Scan& scan) const;
 
-  /// All lattice poses within the margin of the best, best first, ties by cell and direction.
+  /// All lattice poses within the margin of the best, none above search_max_error, best first, ties
+  /// by cell and direction.
   std::vector<SearchPose> findPoses(const DirectionalScan& scan) const;
 
   /// The same by looking at every pose.
@@ -72,8 +77,8 @@ class GlobalSearch {
   double visitedShare() const { return visited_share_; }
 
  private:
-  int truncation() const;                         // steps
-  int margin(const DirectionalScan& scan) const;  // steps, of a whole scan
+  int truncation() const;                                      // steps
+  int steps(double error, const DirectionalScan& scan) const;  // of a mean error per beam
   std::vector<std::uint16_t> bounds(const DirectionalScan& scan) const;
 
   std::shared_ptr<const EnergyGrid> grid_;
