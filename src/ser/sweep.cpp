@@ -147,7 +147,7 @@ class BundleSweep {
     }
     kRound(seen_.data() + 1, map_.length, request_.scale, steps_.data());
     for (int v = request_.first_v; v < map_.length; v += request_.spacing) {
-      out[v / request_.spacing] = steps_[static_cast<std::size_t>(v)];
+      *out++ = steps_[static_cast<std::size_t>(v)];
     }
   }
 
