@@ -78,7 +78,6 @@ EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeome
                        const EnergyGridOptions& options)
     : EnergyGrid(std::move(ranges), geometry, options, {}) {
   sorted_ = sort();
-  was_read_ = false;
 }
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
@@ -89,8 +88,7 @@ EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeome
       beams_(std::min(options.energy_beams, geometry.count)),
       beam_step_(std::max(1, geometry.count / beams_)),
       ser_delta_(options.ser_delta),
-      sorted_(std::move(sorted)),
-      was_read_(true) {}
+      sorted_(std::move(sorted)) {}
 
 /// Direction of beam 0 for a heading, in [0, kDirections).
 int EnergyGrid::firstDirection(int orientation) const {

@@ -27,7 +27,7 @@ class GridCache {
                                          const ScanGeometry& geometry,
                                          const EnergyGridOptions& options);
 
-  /// Whether all that was asked for was in the folder.
+  /// Whether all that was asked for so far was in the folder.
   bool hadAll() const { return had_all_; }
 
   /// What is wrong with the folder and its files.

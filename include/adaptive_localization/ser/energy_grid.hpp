@@ -93,9 +93,6 @@ class EnergyGrid {
   /// step, each in [-1/2, 1/2].
   Pose2 pose(std::size_t i, const Eigen::Vector3d& jitter) const;
 
-  /// Whether it was read from cache_dir and not made.
-  bool wasRead() const { return was_read_; }
-
   /// Every how many-th cell of the map, in x and y, keeps within energy_grid_max_memory.
   static int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                         const EnergyGridOptions& options);
@@ -120,7 +117,6 @@ class EnergyGrid {
   int beam_step_;  // directions from one beam of the energy to the next
   double ser_delta_;
   Sorted sorted_;
-  bool was_read_{false};
 };
 
 }  // namespace adaptive_localization
