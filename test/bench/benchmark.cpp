@@ -3,6 +3,7 @@
 // thread. An item is a particle and beam where beams count, else a particle, a cell, a ray or a
 // pose.
 #include <string>
+#include <utility>
 
 #include "adaptive_localization/filter_registry.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
@@ -141,10 +142,10 @@ void registerOthers() {
     benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
   }
   for (const auto& core : FilterRegistry().names()) {
-    for (const int particles : {2000, 10000}) {
-      benchmark::RegisterBenchmark(
-          ("update/" + core + "/" + std::to_string(particles) + "/60").c_str(), update, core,
-          particles, 60);
+    for (const auto& [particles, beams] : {std::pair{2000, 60}, {7500, 30}, {10000, 60}}) {
+      const std::string name =
+          "update/" + core + "/" + std::to_string(particles) + "/" + std::to_string(beams);
+      benchmark::RegisterBenchmark(name.c_str(), update, core, particles, beams);
     }
   }
   for (const int side : {400, 4000}) {
