@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <vector>
 
 namespace adaptive_localization {
 namespace {
 
 using visualization_msgs::Marker;
+
+constexpr std::size_t kLookedAt = 5;  // poses for each point
 
 /// Light blue at -1, green at 0, red at 1: a background for all else. Opaque, so that rviz draws it
 /// first.
@@ -29,6 +33,28 @@ geometry_msgs::Point pointAt(const Pose2& pose) {
   return point;
 }
 
+using Poses = std::vector<std::size_t>;
+
+/// Of the poses of a region those that differ least from the energy in their cells, in the order of
+/// energies: headings would hide one another. Of very many poses only some are looked at.
+Poses nearestInCells(const EnergyGrid& grid, const EnergyGrid::Region& region, double energy,
+                     std::size_t most) {
+  const Lattice& lattice = grid.ranges().lattice();
+  const auto deviation = [&](std::size_t i) { return std::abs(grid.energy(i) - energy); };
+  std::unordered_map<std::size_t, std::size_t> nearest;
+  const std::size_t step = region.size() / most + 1;
+  for (std::size_t i = region.begin; i < region.end; i += step) {
+    const Pose2 pose = grid.pose(i);
+    const Cell cell = lattice.cellAt({pose.x, pose.y});
+    const auto [place, is_new] = nearest.try_emplace(lattice.index(cell), i);
+    if (!is_new && deviation(i) < deviation(place->second)) place->second = i;
+  }
+  Poses poses;
+  for (const auto& entry : nearest) poses.push_back(entry.second);
+  std::sort(poses.begin(), poses.end());
+  return poses;
+}
+
 }  // namespace
 
 Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid, const Scan& scan,
@@ -46,10 +72,11 @@ Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid, const S
     marker.action = Marker::DELETE;
     return marker;
   }
-  const std::size_t step = (region.size() + most - 1) / most;
-  for (std::size_t i = region.begin; i < region.end; i += step) {
-    marker.points.push_back(pointAt(grid.pose(i)));
-    marker.colors.push_back(colourOf((grid.energy(i) - energy->value) / energy->delta));
+  const Poses poses = nearestInCells(grid, region, energy->value, kLookedAt * most);
+  const std::size_t step = (poses.size() + most - 1) / most;
+  for (std::size_t k = 0; k < poses.size(); k += step) {
+    marker.points.push_back(pointAt(grid.pose(poses[k])));
+    marker.colors.push_back(colourOf((grid.energy(poses[k]) - energy->value) / energy->delta));
   }
   return marker;
 }

@@ -9,9 +9,9 @@
 
 namespace adaptive_localization {
 
-/// The Similar Energy Region of a scan as points in the map, where base would be: blue where a scan
-/// would have a little less energy, green as much, red a little more. Of more than `most` points
-/// every second, third, ... is shown. An empty region deletes the marker.
+/// The Similar Energy Region of a scan as points in the map, where base would be, one in each cell:
+/// blue where a scan would have a little less energy, green as much, red a little more. Of more
+/// than `most` points every second, third, ... is shown. An empty region deletes the marker.
 visualization_msgs::Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid,
                                      const Scan& scan, std::size_t most);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "adaptive_localization/ser/global_search.hpp"
 #include "conversions.hpp"
 #include "status_message.hpp"
 
@@ -46,7 +47,8 @@ visualization_msgs::MarkerArray statusMarkers(const std_msgs::Header& header,
   array.markers.push_back(
       textAt(answer.T_map_base, toText(answer.status) + print(" %.2f", answer.confidence)));
   const auto& modes = answer.modes;
-  for (std::size_t i = 1; i < std::min(modes.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(modes.size(), kMost); ++i) {
+    if (areSamePlace(modes[i].T_map_base, answer.T_map_base)) continue;
     array.markers.push_back(textAt(modes[i].T_map_base, print("or here %.2f", modes[i].mass)));
   }
   for (std::size_t i = 1; i < array.markers.size(); ++i) {

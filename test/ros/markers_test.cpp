@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <set>
+
 #include "ros/ser_marker.hpp"
 #include "ros/status_markers.hpp"
 #include "support/toy_world.hpp"
@@ -25,12 +28,18 @@ class SerMarker : public testing::Test {
   }
 };
 
-TEST_F(SerMarker, HasTheRegionsPosesAmongThemTheTruth) {
+TEST_F(SerMarker, HasTheRegionsCellsAmongThemTheTruths) {
   const Marker marker = make(scan_);
   EXPECT_EQ(marker.header.frame_id, "map");
   EXPECT_EQ(marker.type, Marker::POINTS);
   EXPECT_EQ(marker.action, Marker::ADD);
-  EXPECT_THAT(marker.points, SizeIs(grid_.similarTo(*grid_.energyOf(scan_)).size()));
+  std::set<std::size_t> cells;
+  const auto region = grid_.similarTo(*grid_.energyOf(scan_));
+  for (std::size_t i = region.begin; i < region.end; ++i) {
+    const Pose2 pose = grid_.pose(i);
+    cells.insert(map_->lattice().index(map_->lattice().cellAt({pose.x, pose.y})));
+  }
+  EXPECT_THAT(marker.points, SizeIs(cells.size()));
   EXPECT_THAT(marker.colors, SizeIs(marker.points.size()));
   double nearest = 1e9;
   for (const auto& point : marker.points) {
@@ -87,6 +96,7 @@ Localization answerWith(Status status, std::size_t modes) {
     mode.mass = 1.0 / static_cast<double>(modes);
     answer.modes.push_back(mode);
   }
+  std::reverse(answer.modes.begin(), answer.modes.end());
   return answer;
 }
 
@@ -102,7 +112,7 @@ TEST(StatusMarkers, SayTheStatusAndTheOtherPlaces) {
 }
 
 TEST(StatusMarkers, AreFewForManyPlacesAndNoneWithoutAPose) {
-  EXPECT_THAT(statusMarkers({}, answerWith(Status::kGlobalizing, 500)).markers, SizeIs(21));
+  EXPECT_THAT(statusMarkers({}, answerWith(Status::kGlobalizing, 500)).markers, SizeIs(22));
   EXPECT_THAT(statusMarkers({}, answerWith(Status::kTracking, 0)).markers, SizeIs(2));
   EXPECT_THAT(statusMarkers({}, answerWith(Status::kUninitialised, 3)).markers, SizeIs(1));
 }
