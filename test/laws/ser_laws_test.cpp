@@ -246,6 +246,16 @@ TEST_F(SearchLaw, HoldsForAnyTruncationAndMargin) {
   }
 }
 
+TEST_F(SearchLaw, HoldsWhereMorePosesFitThanAreKept) {
+  GlobalSearchOptions options = unlimited();
+  options.search_margin = 1000.0;
+  use(maze(), options);
+  for (const DirectionalScan& scan : {noisyScan(0.0), randomScan(rng_, 2)}) {
+    ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(scan));
+    EXPECT_EQ(search_->findPoses(scan).size(), 100000U);
+  }
+}
+
 TEST_F(SearchLaw, HoldsOnTheMazeForAFractionOfTheWork) {
   use(maze());
   std::vector<double> visited;

@@ -66,8 +66,8 @@ class GlobalSearch {
   /// Distinct places, refined below the lattice's spacing, best first.
   std::vector<Place> find(const Scan& scan) const;
 
-  /// All lattice poses within the margin of the best, none above search_max_error, best first, ties
-  /// by cell and direction.
+  /// All lattice poses within the margin of the best, none above search_max_error and 100 000 at
+  /// the most, best first, ties by cell and direction.
   std::vector<SearchPose> findPoses(const DirectionalScan& scan) const;
 
   /// The same by looking at every pose.
