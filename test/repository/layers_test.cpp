@@ -84,9 +84,10 @@ TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {
       {"observation", {"top", "map", "observation"}},
       {"particle", {"top", "map", "particle"}},
       {"ser", {"top", "map", "particle", "ser"}},
-      {"filters", {"top", "map", "motion", "observation", "particle", "ser", "filters"}},
+      {"swarm", {"top", "map", "ser", "swarm"}},
+      {"filters", {"top", "map", "motion", "observation", "particle", "ser", "swarm", "filters"}},
       {"sim", {"top", "map", "sim"}},
-      {"eval", {"top", "map", "ser", "sim", "eval"}},
+      {"eval", {"top", "map", "ser", "swarm", "sim", "eval"}},
       {"ros", {"top", "map", "ser", "sim", "ros"}},
       {"apps", {"top", "map", "ser", "sim", "eval", "ros"}}};
   std::vector<std::string> wrong;
@@ -108,7 +109,7 @@ TEST(Layers, ModelsDoNotKnowWhoUsesThem) {
   for (const auto& include : includes()) {
     const bool is_model = include.layer == "map" || include.layer == "motion" ||
                           include.layer == "observation" || include.layer == "particle" ||
-                          include.layer == "ser";
+                          include.layer == "ser" || include.layer == "swarm";
     if (is_model && users.count(include.header)) wrong.push_back(nameOf(include));
   }
   EXPECT_THAT(wrong, IsEmpty());

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/swarm/objective.hpp"
+#include "adaptive_localization/swarm/search_space.hpp"
+
+namespace adaptive_localization {
+
+/// Searchers (bats, particles of a particle swarm), in columns; one searcher in each row.
+struct Swarm {
+  /// At rest at these positions, which are evaluated.
+  Swarm(SearchSpace where, const Eigen::ArrayXXd& positions, const Objective& objective);
+
+  Eigen::Index size() const { return position.rows(); }
+
+  /// Takes note of the best of some positions, if it is better than any before.
+  void note(const Eigen::ArrayXXd& positions, const Eigen::ArrayXd& costs);
+
+  SearchSpace space;
+  Eigen::ArrayXXd position, velocity;
+  Eigen::ArrayXd cost;            // of position
+  Eigen::ArrayXd loudness, rate;  // of bats: A, r
+  Eigen::ArrayXXd own_best;       // of each searcher, for particle swarms
+  Eigen::ArrayXd own_best_cost;
+  Eigen::ArrayXd best;  // of all, ever: x*
+  double best_cost;
+  int iteration{0};
+};
+
+/// So many positions, uniform over a space.
+Eigen::ArrayXXd spreadOver(const SearchSpace& space, Eigen::Index count, Rng& rng);
+
+class SwarmMove;
+
+/// When a search ends: whichever comes first.
+struct StopRule {
+  double tolerance{0.0};  // cost that is good enough
+  int max_iterations{500};
+  double max_evaluations{1e9};  // of the objective, the first ones of the swarm not among them
+  int patience{0};              // iterations without progress; 0: any number
+};
+
+struct SearchResult {
+  int iterations{0};
+  bool is_reached{false};  // the tolerance
+};
+
+/// Moves a swarm until the rule says so.
+SearchResult search(Swarm& swarm, const SwarmMove& move, const Objective& objective,
+                    const StopRule& rule, Rng& rng);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/swarm/swarm.hpp"
+
+#include <limits>
+
+#include "adaptive_localization/swarm/swarm_move.hpp"
+
+namespace adaptive_localization {
+
+Swarm::Swarm(SearchSpace where, const Eigen::ArrayXXd& positions, const Objective& objective)
+    : space(std::move(where)),
+      position(positions),
+      velocity(Eigen::ArrayXXd::Zero(positions.rows(), positions.cols())),
+      cost(Eigen::ArrayXd::Zero(positions.rows())),
+      loudness(Eigen::ArrayXd::Ones(positions.rows())),
+      rate(Eigen::ArrayXd::Zero(positions.rows())),
+      best(positions.row(0)),
+      best_cost(std::numeric_limits<double>::infinity()) {
+  objective.evaluate(position, cost);
+  own_best = position;
+  own_best_cost = cost;
+  note(position, cost);
+}
+
+void Swarm::note(const Eigen::ArrayXXd& positions, const Eigen::ArrayXd& costs) {
+  Eigen::Index i = 0;
+  if (!(costs.minCoeff(&i) < best_cost)) return;
+  best_cost = costs[i];
+  best = positions.row(i);
+}
+
+Eigen::ArrayXXd spreadOver(const SearchSpace& space, Eigen::Index count, Rng& rng) {
+  Eigen::ArrayXXd positions(count, space.dimensions());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index k = 0; k < space.dimensions(); ++k) {
+      positions(i, k) = rng.uniform(space.low[k], space.high[k]);
+    }
+  }
+  return positions;
+}
+
+SearchResult search(Swarm& swarm, const SwarmMove& move, const Objective& objective,
+                    const StopRule& rule, Rng& rng) {
+  constexpr double kProgress = 0.99;  // of the best cost
+  SearchResult result;
+  const auto per_iteration = static_cast<double>(swarm.size());
+  double evaluations = 0.0;
+  double best_before = swarm.best_cost;
+  int idle = 0;
+  while (!(result.is_reached = swarm.best_cost <= rule.tolerance)) {
+    evaluations += per_iteration;
+    if (result.iterations >= rule.max_iterations || evaluations > rule.max_evaluations) break;
+    if (rule.patience > 0 && idle >= rule.patience) break;
+    move.step(swarm, objective, rng);
+    ++result.iterations;
+    idle = swarm.best_cost < kProgress * best_before ? 0 : idle + 1;
+    if (idle == 0) best_before = swarm.best_cost;
+  }
+  return result;
+}
+
+}  // namespace adaptive_localization

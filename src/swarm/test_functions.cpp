@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/swarm/test_functions.hpp"
+
+#include <cmath>
+
+#include "adaptive_localization/pose2.hpp"
+
+namespace adaptive_localization {
+
+void TestFunction::evaluate(const Eigen::ArrayXXd& positions,
+                            Eigen::Ref<Eigen::ArrayXd> costs) const {
+  for (Eigen::Index i = 0; i < positions.rows(); ++i) {
+    costs[i] = formula_(positions(i, 0), positions(i, 1));
+  }
+}
+
+SearchSpace TestFunction::space() const {
+  SearchSpace space;
+  space.low = Eigen::ArrayXd::Constant(2, -half_width_);
+  space.high = Eigen::ArrayXd::Constant(2, half_width_);
+  space.is_torus = true;
+  return space;
+}
+
+TestFunction rastrigin() {
+  const auto formula = [](double x, double y) {
+    return 20.0 + x * x + y * y - 10.0 * std::cos(2.0 * kPi * x) - 10.0 * std::cos(2.0 * kPi * y);
+  };
+  return {"Rastrigin", formula, 5.12};
+}
+
+TestFunction eggcrate() {
+  const auto formula = [](double x, double y) {
+    return x * x + y * y + 25.0 * (std::sin(x) * std::sin(x) + std::sin(y) * std::sin(y));
+  };
+  return {"Eggcrate", formula, 2.0 * kPi};
+}
+
+TestFunction ackley() {
+  const auto formula = [](double x, double y) {
+    return -20.0 * std::exp(-0.2 * std::sqrt(0.5 * (x * x + y * y))) -
+           std::exp(0.5 * (std::cos(2.0 * kPi * x) + std::cos(2.0 * kPi * y))) + 20.0 +
+           std::exp(1.0);
+  };
+  return {"Ackley", formula, 32.768};
+}
+
+std::vector<TestFunction> testFunctions() {
+  return {rastrigin(), ackley(), eggcrate()};
+}
+
+}  // namespace adaptive_localization
