@@ -111,30 +111,27 @@ int nearestBundle(int t, double slope) {
 /// Sweeps all lines that start some bundle / kBundles above the middle of a cell.
 class BundleSweep {
  public:
-  BundleSweep(const SweepMap& map, const Sweep& request)
+  BundleSweep(const SweepMap& map, const Sweep& request, int bundle)
       : map_(map),
         request_(request),
+        bundle_(bundle),
+        start_(static_cast<double>(bundle) / kBundles),
         length_(std::sqrt(1.0 + request.slope * request.slope)),
-        seen_(static_cast<std::size_t>(map.length + 2)),
-        result_(seen_.size()),
+        seen_(static_cast<std::size_t>(map.length + 2), kFree),
+        result_(seen_.size(), kFree),
         steps_(static_cast<std::size_t>(map.length)) {}
 
-  void run(int bundle) {
-    // one border cell at both ends, beyond which nothing is seen
-    std::fill(seen_.begin(), seen_.end(), kFree);
-    std::fill(result_.begin(), result_.end(), kFree);
-    const double start = static_cast<double>(bundle) / kBundles;
-    for (int t = map_.lines - 1; t >= 0; --t) {
-      const int u = request_.sense > 0 ? t : map_.lines - 1 - t;
-      if (t < map_.lines - 1) {
-        const LineStep step = stepAfter(t, request_.slope, start, length_);
-        kStepBack(step, map_.line(u), map_.line(u + request_.sense), seen_.data() + 1, map_.length,
-                  result_.data() + 1);
-        seen_.swap(result_);
-      }
-      const bool is_asked_for = u % request_.spacing == request_.first_u;
-      if (is_asked_for && nearestBundle(t, request_.slope) == bundle) write(u);
+  /// Goes back from line t + 1 to t.
+  void step(int t) {
+    const int u = request_.sense > 0 ? t : map_.lines - 1 - t;
+    if (t < map_.lines - 1) {
+      const LineStep step = stepAfter(t, request_.slope, start_, length_);
+      kStepBack(step, map_.line(u), map_.line(u + request_.sense), seen_.data() + 1, map_.length,
+                result_.data() + 1);
+      seen_.swap(result_);
     }
+    const bool is_asked_for = u % request_.spacing == request_.first_u;
+    if (is_asked_for && nearestBundle(t, request_.slope) == bundle_) write(u);
   }
 
  private:
@@ -153,8 +150,10 @@ class BundleSweep {
 
   const SweepMap& map_;
   const Sweep& request_;
-  double length_;  // of a step from line to line
-  std::vector<float> seen_, result_;
+  int bundle_;
+  double start_;
+  double length_;                     // of a step from line to line
+  std::vector<float> seen_, result_;  // one border cell at both ends, beyond which nothing is seen
   std::vector<std::uint8_t> steps_;
 };
 
@@ -193,8 +192,11 @@ SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are
 }
 
 void sweep(const SweepMap& map, const Sweep& request) {
-  BundleSweep sweep(map, request);
-  for (int bundle = 0; bundle < kBundles; ++bundle) sweep.run(bundle);
+  std::vector<BundleSweep> bundles;
+  for (int bundle = 0; bundle < kBundles; ++bundle) bundles.emplace_back(map, request, bundle);
+  for (int t = map.lines - 1; t >= 0; --t) {  // together, to read the map's lines once
+    for (BundleSweep& bundle : bundles) bundle.step(t);
+  }
 }
 
 }  // namespace adaptive_localization
