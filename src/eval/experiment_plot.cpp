@@ -73,8 +73,13 @@ void drawAxes(cv::Mat& panel, const Axes& axes, const std::string& title) {
   putText(panel, "seconds until the robot is found", {kLeft, kHeight - 12});
 }
 
+/// The first curves are drawn thickest, so that they show beneath others that are the same.
+int thicknessOf(std::size_t i, std::size_t count) {
+  return 2 + 3 * static_cast<int>(std::min<std::size_t>(count - 1 - i, 3));
+}
+
 void drawCurve(cv::Mat& panel, const Axes& axes, const ExperimentSummary& row,
-               const cv::Scalar& colour) {
+               const cv::Scalar& colour, int thickness) {
   std::vector<cv::Point> points{{axes.x(0.0), axes.y(0.0)}};
   for (std::size_t i = 0; i < row.found_s.size(); ++i) {
     const int x = axes.x(row.found_s[i]);
@@ -82,7 +87,7 @@ void drawCurve(cv::Mat& panel, const Axes& axes, const ExperimentSummary& row,
     points.emplace_back(x, axes.y(static_cast<double>(i + 1) / row.found.of));
   }
   points.emplace_back(axes.x(axes.longest), points.back().y);
-  cv::polylines(panel, points, false, colour, 2, cv::LINE_AA);
+  cv::polylines(panel, points, false, colour, thickness, cv::LINE_AA);
 }
 
 void drawLegend(cv::Mat& panel, const Rows& rows) {
@@ -103,7 +108,7 @@ cv::Mat draw(const Rows& rows) {
   const Axes axes{longest};
   drawAxes(panel, axes, rows.front()->experiment + ": " + rows.front()->of_case);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    drawCurve(panel, axes, *rows[i], kColours[i % kColours.size()]);
+    drawCurve(panel, axes, *rows[i], kColours[i % kColours.size()], thicknessOf(i, rows.size()));
   }
   drawLegend(panel, rows);
   return panel;
