@@ -209,20 +209,5 @@ TEST_F(GridCacheTest, KeepsNothingWithoutAFolder) {
   EXPECT_THAT(make().warnings, IsEmpty());
 }
 
-TEST_F(GridCacheTest, ServesPlacesThatAreMadeInTheBackground) {
-  EnergyGridOptions options;
-  options.cache_dir = folder_;
-  const Scan scan = toScan(kHalfCircle.read(map_, {1.5, 1.0, 0.0}));
-  for (const bool expected : {false, true}) {
-    Places places(map_, std::make_shared<const DistanceField>(*map_), options, {},
-                  Places::Build::kInBackground);
-    places.energyGrid(scan);
-    while (places.isBuilding()) places.newestGrid();
-    ASSERT_TRUE(places.energyGrid(scan));
-    EXPECT_EQ(places.isNewestFromCache(), expected);
-    EXPECT_THAT(places.takeWarnings(), IsEmpty());
-  }
-}
-
 }  // namespace
 }  // namespace adaptive_localization

@@ -9,6 +9,7 @@
 
 #include "ser_toys.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/temp_folder.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -131,6 +132,18 @@ TEST(Places, HaveNoGridWhileItIsMadeInTheBackground) {
   EXPECT_EQ(places.energyGrid(wide), nullptr);
   EXPECT_EQ(places.energyGrid(scan), grid);
   EXPECT_NE(waitForGrid(places, wide), grid);
+}
+
+TEST(Places, KeepTheirGridFromStartToStart) {
+  const TempFolder folder;
+  EnergyGridOptions options;
+  options.cache_dir = folder.file("cache");
+  for (const bool expected : {false, true}) {
+    Places places = placesOf(smallRoom(), Places::Build::kInBackground, options);
+    ASSERT_TRUE(waitForGrid(places, scanOf(181)));
+    EXPECT_EQ(places.isNewestFromCache(), expected);
+    EXPECT_THAT(places.takeWarnings(), IsEmpty());
+  }
 }
 
 TEST(Places, MayGoWhileAGridIsBeingMade) {

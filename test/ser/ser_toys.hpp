@@ -89,6 +89,17 @@ inline Scan toScan(const LaserScan& message) {
   return toScan(message, LaserMount{}, ScanOptions{});
 }
 
+/// A scan as a table has it, with a beam in each of `count` directions from beam 0's.
+inline DirectionalScan scanOf(const RangeTable& table, std::size_t cell, int direction, int count) {
+  DirectionalScan scan;
+  scan.range.fill(-1);
+  scan.valid = count;
+  for (int k = 0; k < count; ++k) {
+    scan.range[static_cast<std::size_t>(k)] = table.ranges(cell)[(direction + k) % kDirections];
+  }
+  return scan;
+}
+
 /// A scan on the table's lattice in which every beam is anything: a step, a no-return or invalid.
 inline DirectionalScan randomScan(Rng& rng, int count) {
   DirectionalScan scan;
