@@ -21,8 +21,8 @@ using testing::IsEmpty;
 class Experiments : public testing::Test {
  protected:
   Experiments()
-      : experiment_(toy_.write("duration: 6\nseeds: {first: 1, count: 5}\n"
-                               "events: [{what: kidnap, at: 3, to: random}]\n"
+      : experiment_(toy_.write("duration: 4\nseeds: {first: 1, count: 5}\n"
+                               "events: [{what: kidnap, at: 2, to: random}]\n"
                                "options: {update_min_d: 0, update_min_a: 0}\n"
                                "cores: [{filter: kld}, {filter: amcl}]\n")) {}
 
