@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".ser_grid";
-constexpr std::size_t kFilesKept = 16;
+constexpr std::size_t kFilesKept = 8;
 
 std::uint64_t hashOf(const std::vector<double>& values, std::uint64_t seed) {
   return XXH64(values.data(), values.size() * sizeof(double), seed);

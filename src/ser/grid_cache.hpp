@@ -14,7 +14,7 @@ namespace adaptive_localization {
 /// Range tables and energy grids of a map, read from a folder where they are, else made and put
 /// there: one file for each table and for each grid, named after a hash of all that it depends on.
 ///
-/// The folder holds the sixteen files used last. A file that is not right is made again.
+/// The folder holds the eight files used last. A file that is not right is made again.
 class GridCache {
  public:
   /// The map must stay. An empty folder: keeps nothing.

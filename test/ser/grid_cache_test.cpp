@@ -139,6 +139,7 @@ TEST_F(GridCacheTest, TellsApartAllThatMattersAndNothingElse) {
   ScanGeometry turned = halfCircle();
   turned.first = 7;
   turned.position.x() = 0.3;
+  make();  // it may have had to go
   const Made same = make({}, 1, turned);
   EXPECT_TRUE(same.was_read) << "energies are those of the laser, wherever it sits";
   EXPECT_TRUE(same.grid->geometry() == turned);
@@ -197,7 +198,7 @@ TEST_F(GridCacheTest, KeepsTheFilesUsedLastAndOthersFiles) {
     for (const auto& file : filesIn(folder_, "energies_")) fs::last_write_time(file, old);
     EXPECT_TRUE(make().was_read) << "in use all the time";
   }
-  EXPECT_EQ(filesIn(folder_).size(), 17U);
+  EXPECT_EQ(filesIn(folder_).size(), 9U);
   EXPECT_TRUE(fs::exists(precious));
   EXPECT_TRUE(fs::exists(first.front()));
 }
