@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace adaptive_localization {
+
+/// A way to search on a test function with so many searchers, over seeds.
+struct SwarmRaceCell {
+  std::string function, move;
+  int searchers{0};
+  int runs{0};
+  int found{0};
+  double iterations{0.0};  // mean, a run that failed counting all it had
+};
+
+/// Experiment E7: who gets how fast to the least value of Rastrigin, Ackley and Eggcrate on a
+/// torus, to a hundredth, within 500 iterations. All moves start from the same positions.
+std::vector<SwarmRaceCell> raceSwarms(int seeds);
+
+/// In Markdown: a row for each function and move, a column for each number of searchers.
+std::string toTable(const std::vector<SwarmRaceCell>& cells);
+
+/// A panel for each function: iterations over searchers.
+/// Throws std::runtime_error naming the file that could not be written.
+void savePlot(const std::vector<SwarmRaceCell>& cells, const std::string& file);
+
+}  // namespace adaptive_localization

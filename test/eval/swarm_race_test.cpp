@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/swarm_race.hpp"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+
+#include "support/temp_folder.hpp"
+
+namespace adaptive_localization {
+
+using testing::HasSubstr;
+
+TEST(SwarmRace, TheImprovedFormBeatsThePrintedOneWhereSearchersAreFew) {
+  std::map<std::string, SwarmRaceCell> of_twenty;
+  for (const auto& cell : raceSwarms(8)) {
+    EXPECT_EQ(cell.runs, 8);
+    EXPECT_LE(cell.iterations, 500.0);
+    if (cell.searchers == 20) of_twenty[cell.function + "/" + cell.move] = cell;
+  }
+  EXPECT_EQ(of_twenty.size(), 15u);
+  for (const std::string function : {"Rastrigin", "Ackley", "Eggcrate"}) {
+    EXPECT_GE(of_twenty[function + "/lbba improved"].found, 7) << function;
+    EXPECT_LT(of_twenty[function + "/lbba improved"].iterations,
+              of_twenty[function + "/lbba as printed"].iterations)
+        << function;
+  }
+}
+
+TEST(SwarmRace, IsPrintedAndPlotted) {
+  std::vector<SwarmRaceCell> cells;
+  for (const int searchers : {20, 50, 100, 300, 600, 1200}) {
+    cells.push_back({"Ackley", "pso", searchers, 4, 3, 40.4});
+  }
+  EXPECT_THAT(toTable(cells), HasSubstr("\n| Ackley, pso | 40 (75) | 40 (75) |"));
+  const TempFolder folder;
+  const std::string file = folder.file("race.png");
+  savePlot(cells, file);
+  EXPECT_EQ(cv::imread(file).rows, 440);
+  EXPECT_THROW(savePlot(cells, folder.file("race.nosuch")), std::runtime_error);
+}
+
+}  // namespace adaptive_localization
