@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_localization/pose2.hpp"
+
 namespace adaptive_localization {
+
+bool SearchSpace::wraps(Eigen::Index k) const {
+  const bool is_heading = has_heading && k == dimensions() - 1;
+  return is_heading ? width(k) > 2.0 * kPi - 1e-9 : is_torus;
+}
 
 double SearchSpace::way(Eigen::Index k, double from, double to) const {
   const double direct = to - from;

@@ -47,6 +47,10 @@ TEST(SearchSpace, HeadingsWrapWhateverTheOthersDo) {
   EXPECT_NEAR(space.way(2, 3.0, -3.0), 2.0 * kPi - 6.0, 1e-12);
   EXPECT_NEAR(space.inside(2, kPi + 0.1), -kPi + 0.1, 1e-12);
   EXPECT_DOUBLE_EQ(space.way(0, 9.0, 1.0), -8.0);
+  space.low[2] = 3.0;  // a narrow range of headings, beyond pi
+  space.high[2] = 3.4;
+  EXPECT_DOUBLE_EQ(space.inside(2, 3.3), 3.3);
+  EXPECT_DOUBLE_EQ(space.inside(2, 3.5), 3.4);
 }
 
 TEST(TestFunctions, AreZeroAtTheOriginAndNowhereLess) {

@@ -9,13 +9,13 @@ namespace adaptive_localization {
 struct SearchSpace {
   Eigen::ArrayXd low, high;
   bool is_torus{false};     // both ends of an interval are the same place
-  bool has_heading{false};  // the last dimension is an angle, rad: always a circle
+  bool has_heading{false};  // the last dimension is an angle, rad
 
   Eigen::Index dimensions() const { return low.size(); }
   double width(Eigen::Index k) const { return high[k] - low[k]; }
 
-  /// Whether dimension k is a circle.
-  bool wraps(Eigen::Index k) const { return is_torus || (has_heading && k == dimensions() - 1); }
+  /// Whether dimension k is a circle: those of a torus, and a heading that may be any.
+  bool wraps(Eigen::Index k) const;
 
   /// The way from one coordinate to another: the short one on a circle.
   double way(Eigen::Index k, double from, double to) const;
