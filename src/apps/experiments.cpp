@@ -37,7 +37,7 @@ void list(const std::vector<PlannedRun>& runs) {
 void report(const ExperimentCommand& command, const std::vector<ExperimentResult>& results) {
   const auto summaries = summarize(results);
   if (!command.json_file.empty()) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    nlohmann::json json = nlohmann::json::array();
     for (const auto& summary : summaries) json.push_back(toJson(summary));
     saveJson(json, command.json_file);
   }

@@ -95,6 +95,9 @@ void printTables() {
   printTable("Scans", describe(ScanOptions{}));
   printTable("Filters", of_filters);
   printTable("Confidence and status", describe(ConfidenceOptions{}));
+  printTable("Energy grid", describe(EnergyGridOptions{}));
+  printTable("Global search", describe(GlobalSearchOptions{}));
+  printTable("Rival places", describe(RivalsOptions{}));
   printTable("Node only", describe(NodeOptions{}));
 }
 

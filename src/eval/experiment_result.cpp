@@ -7,7 +7,7 @@
 namespace adaptive_localization {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 Json toJson(const std::optional<double>& value) {
   return value ? Json(*value) : Json();

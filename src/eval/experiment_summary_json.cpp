@@ -5,7 +5,7 @@
 namespace adaptive_localization {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 Json toJson(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
@@ -23,7 +23,7 @@ Json toJson(const Share& share) {
 
 }  // namespace
 
-nlohmann::ordered_json toJson(const ExperimentSummary& row) {
+nlohmann::json toJson(const ExperimentSummary& row) {
   Json json;
   json["experiment"] = row.experiment;
   json["case"] = row.of_case;

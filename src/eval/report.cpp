@@ -8,14 +8,14 @@
 
 namespace adaptive_localization {
 
-nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& metrics) {
-  const nlohmann::ordered_json null;
+nlohmann::json toJson(const RunDescription& description, const Metrics& metrics) {
+  const nlohmann::json null;
   const auto error = [&](double ErrorMetrics::*member) {
-    return metrics.errors ? nlohmann::ordered_json(*metrics.errors.*member) : null;
+    return metrics.errors ? nlohmann::json(*metrics.errors.*member) : null;
   };
   const bool has_converged = metrics.errors && metrics.errors->converged_at_s;
 
-  nlohmann::ordered_json json;
+  nlohmann::json json;
   json["log"] = description.log;
   json["map"] = description.map;
   json["filter"] = description.filter;
@@ -41,11 +41,11 @@ nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& 
   json["final_error_m"] = error(&ErrorMetrics::final_error_m);
   json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
   json["converged_at_s"] =
-      has_converged ? nlohmann::ordered_json(*metrics.errors->converged_at_s) : null;
+      has_converged ? nlohmann::json(*metrics.errors->converged_at_s) : null;
   json["lost_share"] = error(&ErrorMetrics::lost_share);
   json["misled_share"] = error(&ErrorMetrics::misled_share);
   json["tracking_at_s"] = metrics.errors && metrics.errors->tracking_at_s
-                              ? nlohmann::ordered_json(*metrics.errors->tracking_at_s)
+                              ? nlohmann::json(*metrics.errors->tracking_at_s)
                               : null;
   json["confidence_mean"] = metrics.confidence_mean;
   return json;
@@ -69,9 +69,9 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
   return text.str();
 }
 
-void saveJson(const nlohmann::ordered_json& json, const std::string& file) {
+void saveJson(const nlohmann::json& json, const std::string& file) {
   std::ofstream output(file);
-  output << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  output << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   output.flush();
   if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
 }

@@ -66,8 +66,8 @@ SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& optio
   return metrics;
 }
 
-nlohmann::ordered_json toJson(const SearchMetrics& metrics) {
-  nlohmann::ordered_json json;
+nlohmann::json toJson(const SearchMetrics& metrics) {
+  nlohmann::json json;
   json["scans"] = metrics.scans;
   json["right"] = metrics.right;
   json["among"] = metrics.among;

@@ -51,6 +51,6 @@ std::vector<ExperimentSummary> summarize(std::vector<ExperimentResult> results);
 /// Tables in Markdown, one for each experiment, with the columns in which it has something to say.
 std::string toTables(const std::vector<ExperimentSummary>& summaries);
 
-nlohmann::ordered_json toJson(const ExperimentSummary& summary);
+nlohmann::json toJson(const ExperimentSummary& summary);
 
 }  // namespace adaptive_localization

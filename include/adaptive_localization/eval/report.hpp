@@ -16,12 +16,12 @@ struct RunDescription {
 };
 
 /// Description and numbers of a run; the errors are null without a reference.
-nlohmann::ordered_json toJson(const RunDescription& description, const Metrics& metrics);
+nlohmann::json toJson(const RunDescription& description, const Metrics& metrics);
 
 /// The same in one line for people.
 std::string summarize(const RunDescription& description, const Metrics& metrics);
 
 /// Throws std::runtime_error naming the file that could not be written.
-void saveJson(const nlohmann::ordered_json& json, const std::string& file);
+void saveJson(const nlohmann::json& json, const std::string& file);
 
 }  // namespace adaptive_localization

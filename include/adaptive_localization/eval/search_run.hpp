@@ -31,7 +31,7 @@ struct SearchMetrics {
 SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& options, int count,
                         const RunProgress& progress = {});
 
-nlohmann::ordered_json toJson(const SearchMetrics& metrics);
+nlohmann::json toJson(const SearchMetrics& metrics);
 
 /// The same in one line for people.
 std::string summarize(const SearchMetrics& metrics);
