@@ -92,7 +92,9 @@ class KidnapTest : public Exploration {
   bool isElsewhere(const Evidence& evidence, double error_here) {
     const Scan& scan = evidence.observations.scan;
     const double most = error_here / options_.kidnap_ratio;
-    const auto fails = [&](const Pose2& place) { return !(fitOf(place, scan).error < most); };
+    const auto fails = [&](const Pose2& place) {
+      return !(fitOf(place, scan, options_.kidnap_truncation).error < most);
+    };
     for (Pose2& candidate : candidates_) candidate = candidate * evidence.motion;
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), fails),
                       candidates_.end());
@@ -106,7 +108,8 @@ class KidnapTest : public Exploration {
     return !candidates_.empty() && options_.kidnap_confirm_scans == 1;
   }
 
-  Fit fitOf(const Pose2& T_map_base, const Scan& scan) const {
+  /// Beams shorter than `least` count as wrong: a covered laser fits beside each wall.
+  Fit fitOf(const Pose2& T_map_base, const Scan& scan, double least = 0.0) const {
     const Eigen::Vector2d start = T_map_base * scan.position;
     const Eigen::Index hits = scan.range.size();
     const Eigen::Index beams = hits + scan.no_return_bearing.size();
@@ -118,7 +121,7 @@ class KidnapTest : public Exploration {
       const double z = j < hits ? static_cast<double>(scan.range[j]) : scan.max_range;
       const Pose2 ray{start.x(), start.y(), T_map_base.theta + static_cast<double>(bearing)};
       const double missing = ray_caster_.range(ray, scan.max_range) - z;
-      const double error = std::abs(missing);
+      const double error = z < least ? options_.kidnap_truncation : std::abs(missing);
       sum += error < options_.kidnap_truncation ? error : options_.kidnap_truncation;
       too_short += missing > options_.kidnap_truncation ? 1 : 0;
     }

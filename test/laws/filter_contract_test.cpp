@@ -223,7 +223,8 @@ TEST_P(GlobalLocalization, FindsTheRobotInAWorldWithoutTwins) {
   EXPECT_GE(found, 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, GlobalLocalization, testing::Values("kld", "amcl"));
+INSTANTIATE_TEST_SUITE_P(Filters, GlobalLocalization,
+                         testing::Values("kld", "amcl", "samcl", "sa_kld"));
 
 }  // namespace
 }  // namespace adaptive_localization

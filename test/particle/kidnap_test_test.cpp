@@ -11,7 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 const Pose2 kTruth{1.0, 1.0, 0.3};
-const Pose2 kElsewhere{7.0, 3.4, 2.0};
+const Pose2 kElsewhere{7.5, 4.1, 2.0};
 
 KidnapOptions options() {
   KidnapOptions options;
@@ -87,10 +87,10 @@ TEST_F(KidnapTestTest, LooksElsewhereWhenScansAreUnexplainedHereAndExplainedTher
 }
 
 TEST_F(KidnapTestTest, ThePlaceElsewhereMovesWithTheOdometry) {
-  const Pose2 later = kElsewhere * Pose2{0.3, 0.0, 0.2};
+  const Pose2 later = kElsewhere * Pose2{-0.4, 0.0, 0.2};
   for (const bool moves : {true, false}) {
     use(options());
-    motion_ = moves ? Pose2{0.3, 0.0, 0.2} : Pose2{};
+    motion_ = moves ? Pose2{-0.4, 0.0, 0.2} : Pose2{};
     places_ = {kElsewhere};
     tell(seenFrom(kElsewhere), kTruth);
     tell(seenFrom(later), kTruth);
