@@ -8,6 +8,7 @@ namespace adaptive_localization {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.005);
+constexpr int kLasers = 4;  // on one robot; a mount that turns would fill the log
 
 template <class Options>
 bool differ(const Parameters& these, const Parameters& those) {
@@ -49,11 +50,10 @@ std::shared_ptr<Places> PlacesMaker::make(const BuiltMap& map, const Parameters&
 }
 
 void PlacesMaker::prepare(const Scan& scan) {
-  constexpr int kLasers = 4;
   if (!places_) return;
   if (built_ < kLasers) places_->energyGrid(scan);
   if (is_building_ || !places_->isBuilding()) return;
-  ROS_INFO("Building the energy grid");
+  if (built_ < kLasers) ROS_INFO("Building the energy grid");
   is_building_ = true;
   ++built_;
   begun_ = ros::WallTime::now();
@@ -72,6 +72,7 @@ void PlacesMaker::poll() {
   is_building_ = false;
   if (grid == known_) return;
   known_ = grid;
+  if (built_ > kLasers) return;
   ROS_INFO("Energy grid ready: %zu poses, %.1f MB, %s in %.3f s", grid->size(),
            1e-6 * static_cast<double>(grid->bytes()),
            places_->isNewestFromCache() ? "loaded" : "built",

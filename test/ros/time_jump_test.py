@@ -62,7 +62,7 @@ class TimeJump(ToyRobotCase):
         self.check_tracking()
 
     def check_tracking(self):
-        self.assertEqual(self.status(), "tracking")
+        self.assertEqual(self.status(), "tracking", self.status_values())
         self.assertLess(self.error(), 0.12)
 
     def check_stamps(self):
