@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace adaptive_localization {
+namespace {
+
+constexpr double kCloseEnough = 1.1;  // times the effective particles that are wanted
+
+}  // namespace
 
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
   const Eigen::Index count = log_weight.size();
@@ -33,7 +38,10 @@ Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::Array
   double high = 1.0;
   for (int i = 0; i < 10; ++i) {
     const double middle = 0.5 * (low + high);
-    (effectiveSize(raised(middle)) >= wanted ? low : high) = middle;
+    posterior = raised(middle);
+    const double kept = effectiveSize(posterior);
+    if (kept >= wanted && kept <= kCloseEnough * wanted) return posterior;
+    (kept >= wanted ? low : high) = middle;
   }
   return raised(low);
 }

@@ -17,10 +17,10 @@ Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight);
 double effectiveSize(const Eigen::ArrayXd& weights);
 
 /// Normalised weights times the likelihood raised to the largest exponent in (0, 1] with which at
-/// least this share of the effective particles is kept (adaptive tempering, Jasra, Stephens,
-/// Doucet, Tsagaris 2011), and normalised. The exponent is 1 where the likelihood is no sharper
-/// than that, as in tracking; less for a sharp likelihood and a wide cloud, whose best particles
-/// would else be taken for the only ones.
+/// least this share of the effective particles is kept, or a tenth more (adaptive tempering, Jasra,
+/// Stephens, Doucet, Tsagaris 2011), and normalised. The exponent is 1 where the likelihood is no
+/// sharper than that, as in tracking; less for a sharp likelihood and a wide cloud, whose best
+/// particles would else be taken for the only ones.
 Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::ArrayXd& log_likelihood,
                                double min_share);
 
