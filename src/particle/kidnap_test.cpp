@@ -21,10 +21,14 @@ struct Fit {
   double short_share;
 };
 
-/// The error that there is where the robot is: falls at once, rises slowly.
+/// The error that there is where the robot is: falls at once, rises by 2 % of itself at the most,
+/// so that a laser that is covered for a while does not become usual.
 class UsualError {
  public:
-  void observe(double error) { value_ += (error < value_ ? 0.2 : 0.02) * (error - value_); }
+  void observe(double error) {
+    const double rise = 0.02 * (std::min(error, 2.0 * value_) - value_);
+    value_ += error < value_ ? 0.2 * (error - value_) : rise;
+  }
   double value() const { return value_; }
 
  private:
@@ -41,7 +45,6 @@ class KidnapTest : public Exploration {
     armed_ = explained_before_ = false;
     unexplained_ = 0;
     share_ = 0.0;
-    usual_ = {};
     candidates_.clear();
   }
 
@@ -136,7 +139,7 @@ class KidnapTest : public Exploration {
   bool explained_before_{false};
   int unexplained_{0};  // scans in a row
   double share_{0.0};
-  UsualError usual_;
+  UsualError usual_;               // of map and laser, wherever the robot is: outlives reset()
   std::vector<Pose2> candidates_;  // that explain the last scan much better
 };
 
