@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "adaptive_localization/parallel.hpp"
@@ -92,6 +93,11 @@ int GlobalSearch::steps(double error, const DirectionalScan& scan) const {
   return static_cast<int>(std::ceil(error * scan.valid / grid_->ranges().metresPerStep()));
 }
 
+std::size_t GlobalSearch::mostVisits() const {
+  return options_.search_max_visits == 0 ? std::numeric_limits<std::size_t>::max()
+                                         : static_cast<std::size_t>(options_.search_max_visits);
+}
+
 /// Bounds of all blocks and heading groups: [block * groups + group].
 std::vector<std::uint16_t> GlobalSearch::bounds(const DirectionalScan& scan) const {
   const RangeBlocks& blocks = grid_->ranges().blocks();
@@ -120,7 +126,7 @@ std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) con
   BestPoses best(steps(options_.search_margin, scan), steps(options_.search_max_error, scan));
   std::size_t visited = 0;
   for (const std::uint32_t node : ascending(bound)) {
-    if (bound[node] > best.limit()) break;
+    if (bound[node] > best.limit() || visited >= mostVisits()) break;
     const std::size_t block = node / kGroups;
     const int first = static_cast<int>(node % kGroups) * kHeadingsPerGroup;
     for (const std::uint32_t* cell = blocks.begin(block); cell != blocks.end(block); ++cell) {

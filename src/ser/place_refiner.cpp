@@ -51,17 +51,23 @@ double PlaceRefiner::misfit(const Pose2& T_map_base) const {
   return sum;
 }
 
-Place PlaceRefiner::refine(Pose2 pose) const {
+Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
+  const auto cost = [&](const Pose2& pose) {
+    const double way = distance(pose, T_map_base) / 0.1;
+    const double turned = wrapAngle(pose.theta - T_map_base.theta) / 0.05;
+    return misfit(pose) + stiffness * (way * way + turned * turned);
+  };
+  Pose2 pose = T_map_base;
   double step = std::max(0.04, 0.5 * field_.lattice().resolution());  // m
   double turn = 0.5 * kDirectionStep;                                 // rad
-  double best = misfit(pose);
+  double best = cost(pose);
   while (step > 0.005) {
     const Pose2 moves[] = {{step, 0, 0},  {-step, 0, 0}, {0, step, 0},
                            {0, -step, 0}, {0, 0, turn},  {0, 0, -turn}};
     bool better = false;
     for (const Pose2& move : moves) {
       const Pose2 moved{pose.x + move.x, pose.y + move.y, wrapAngle(pose.theta + move.theta)};
-      const double value = misfit(moved);
+      const double value = cost(moved);
       if (value >= best) continue;
       best = value;
       pose = moved;

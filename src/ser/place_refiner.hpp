@@ -19,8 +19,10 @@ class PlaceRefiner {
                const Scan& scan, double max_range, double truncation);
 
   /// Pattern search (Hooke and Jeeves 1961) for the least sum of min(d, truncation) over hits, d
-  /// the distance to the nearest obstacle, to a centimetre and a quarter of a degree.
-  Place refine(Pose2 T_map_base) const;
+  /// the distance to the nearest obstacle, to a centimetre and a quarter of a degree. With a
+  /// stiffness, in m, a move of 0.1 m or 0.05 rad costs that much, and moves their squares: where
+  /// the scan does not fix the pose, as along a wall, it stays.
+  Place refine(const Pose2& T_map_base, double stiffness = 0.0) const;
 
   /// Mean over beams of min(|z* - z|, truncation), z* by ray casting, both cut off at max_range.
   double error(const Pose2& T_map_base) const;

@@ -88,7 +88,17 @@ void Places::warn(const std::string& warning) {
 void Places::poll() {
   if (building_.valid() &&
       building_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-    keep(building_.get());
+    keepWhat([this] { return building_.get(); });
+  }
+}
+
+/// Without memory for a grid there is none, and the rest goes on.
+void Places::keepWhat(const std::function<Entry()>& make) {
+  try {
+    keep(make());
+  } catch (const std::exception& error) {
+    warn(std::string("energy grid: cannot be made, no other places are known: ") + error.what());
+    failed_ = true;
   }
 }
 
@@ -103,11 +113,11 @@ const Places::Entry* Places::entryFor(const Scan& scan) {
   for (const Entry& entry : entries_) {
     if (suits(entry.geometry, geometry)) return &entry;
   }
-  if (building_.valid()) return nullptr;
+  if (building_.valid() || failed_) return nullptr;
   auto ranges = rangesFor(geometry);
   if (build_ == Build::kAtOnce) {
-    keep(make(geometry, std::move(ranges)));
-    return &entries_.back();
+    keepWhat([&] { return make(geometry, ranges); });
+    return failed_ ? nullptr : &entries_.back();
   }
   building_ =
       std::async(std::launch::async, [this, geometry, ranges] { return make(geometry, ranges); });

@@ -15,6 +15,7 @@ constexpr double kLateMalus = 3.0;      // of places that an earlier search did 
 constexpr double kExplained = 0.2;      // m, mean range error of a scan that a place explains
 constexpr double kSearchWay = 1.0;      // m or rad between searches while places are left
 constexpr int kLongestPause = 8;        // scans between searches that find nothing
+constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum over a scan's hits
 constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
 constexpr double kPlaceTurnStd = 0.03;  // rad
 
@@ -91,7 +92,7 @@ void Rivals::observe(const Pose2& motion, const Pose2& T_map_base,
 }
 
 void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) {
-  const Place place = refiner.refine(hypothesis.T_map_base);
+  const Place place = refiner.refine(hypothesis.T_map_base, kStiffness);
   if (areSamePlace(place.T_map_base, hypothesis.T_map_base)) {
     hypothesis.T_map_base = place.T_map_base;
   }

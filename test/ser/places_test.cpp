@@ -169,13 +169,17 @@ TEST(Places, SayOnceThatTheGridIsCoarser) {
   EXPECT_THAT(found.front().T_map_base, PoseNear(kTruth, 0.1, 0.05));
 }
 
-TEST(Places, ComplainAboutAMapWithoutFreeCells) {
+TEST(Places, SayOnceThatAMapHasNoFreeCellAndKnowNone) {
   const MapPtr map = toyWorld({"#?", "##"}, 0.1);
-  const auto complaint = ThrowsMessage<std::invalid_argument>(HasSubstr("no free cell"));
-  Places at_once = placesOf(map);
-  EXPECT_THAT([&] { at_once.energyGrid(scanOf(181)); }, complaint);
-  Places later = placesOf(map, Places::Build::kInBackground);
-  EXPECT_THAT([&] { waitForGrid(later, scanOf(181)); }, complaint);
+  for (const auto build : {Places::Build::kAtOnce, Places::Build::kInBackground}) {
+    Places places = placesOf(map, build);
+    places.energyGrid(scanOf(181));
+    while (places.isBuilding()) places.newestGrid();
+    EXPECT_EQ(places.energyGrid(scanOf(181)), nullptr);
+    EXPECT_THAT(places.search({0.0, scanOf(181)}), IsEmpty());
+    EXPECT_THAT(places.takeWarnings(), ElementsAre(HasSubstr("no free cell")));
+    EXPECT_FALSE(places.isBuilding());
+  }
 }
 
 }  // namespace

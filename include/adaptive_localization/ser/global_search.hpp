@@ -16,6 +16,7 @@ struct GlobalSearchOptions {
   double search_margin{0.05};
   double search_max_error{0.3};
   int search_max_places{100};
+  int search_max_visits{6000000};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -30,6 +31,9 @@ struct GlobalSearchOptions {
            "(global search).");
     option("search_max_places", search_max_places, Range{1, 10000}, "",
            "Candidates kept by the global search at the most.");
+    option("search_max_visits", search_max_visits, kNotNegative, "",
+           "Poses looked at by one global search at the most, the most promising ones; 0: as many "
+           "as it takes to leave none out that could matter.");
   }
 };
 
@@ -58,6 +62,8 @@ struct SearchPose {
 /// bound the cost of all poses in the block from below (the triangle inequality that makes the SER
 /// work, per direction). Blocks are opened in the order of their bounds until no bound is below the
 /// best cost plus the margin: the same answer as looking at every pose, for a fraction of the work.
+/// Only where search_max_visits is reached, in a large building that looks alike all over, may some
+/// of the poses within the margin be missing.
 class GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
@@ -79,6 +85,7 @@ class GlobalSearch {
  private:
   int truncation() const;                                      // steps
   int steps(double error, const DirectionalScan& scan) const;  // of a mean error per beam
+  std::size_t mostVisits() const;
   std::vector<std::uint16_t> bounds(const DirectionalScan& scan) const;
 
   std::shared_ptr<const EnergyGrid> grid_;

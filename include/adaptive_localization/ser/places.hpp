@@ -61,6 +61,7 @@ class Places {
   std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
   const Entry* entryFor(const Scan& scan);
   void keep(Entry entry);
+  void keepWhat(const std::function<Entry()>& make);
   void warn(const std::string& warning);
   void poll();
 
@@ -70,7 +71,8 @@ class Places {
   GlobalSearchOptions search_options_;
   Build build_;
   std::vector<Entry> entries_;
-  std::vector<std::string> warnings_;     // to be taken
+  std::vector<std::string> warnings_;  // to be taken
+  bool failed_{false};
   std::set<std::string> said_;            // all warnings
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
