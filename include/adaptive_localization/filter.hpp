@@ -76,6 +76,9 @@ class Filter {
 
   /// The hypotheses behind the estimate, for the particle cloud.
   virtual const Particles& hypotheses() const = 0;
+
+  /// The hypotheses that the others follow, for filters that have such.
+  virtual Particles leaders() const { return {}; }
 };
 
 }  // namespace adaptive_localization

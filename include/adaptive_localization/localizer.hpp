@@ -101,6 +101,9 @@ class Localizer {
   /// The belief as a cloud; empty before reset().
   const Particles& hypotheses() const { return filter_->hypotheses(); }
 
+  /// Those that the others follow, where the filter has such.
+  Particles leaders() const { return filter_->leaders(); }
+
   const ScanOptions& scanOptions() const { return setup_.scan; }
   const LocalizerOptions& options() const { return setup_.options; }
 

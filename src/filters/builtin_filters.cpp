@@ -5,6 +5,8 @@
 #include "adaptive_localization/ser/place_sampler.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
+#include "swarm_filter.hpp"
+#include "swarm_presets.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -94,6 +96,47 @@ FilterDescription particleFilter(const std::string& name, const std::string& sen
   return {name, sentence, make, optionsOf(looks), std::move(recommended), std::move(seed)};
 }
 
+enum class Rule { kParticleSwarm, kBats, kLeaders };
+
+std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
+  if (rule == Rule::kParticleSwarm) return std::make_unique<ParticleSwarmMove>();
+  if (rule == Rule::kBats) return std::make_unique<BatMove>(given.read<BatOptions>());
+  return std::make_unique<BatMove>(given.read<BatOptions>(), given.read<LeaderOptions>());
+}
+
+std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context) {
+  const Parameters& given = context.parameters;
+  const auto places = placesFor(context);
+  SwarmFilterParts parts;
+  parts.motion = makeMotionModel(given.read<MotionOptions>());
+  parts.move = makeSwarmMove(rule, given);
+  parts.fixer = std::make_unique<SwarmFixer>(
+      given.read<SwarmFixOptions>(), given.read<RangeObjectiveOptions>(),
+      rule == Rule::kLeaders ? given.read<LeaderOptions>() : LeaderOptions{},
+      given.read<EnergyGridOptions>().energy_max_range, context.map, places);
+  parts.elsewhere = makeSampler(context, places);
+  return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
+                                       context.seed);
+}
+
+FilterDescription swarmFilter(const std::string& name, const std::string& sentence, Rule rule,
+                              Preset recommended, Preset seed) {
+  std::vector<OptionDescription> all;
+  const auto append = [&all](const std::vector<OptionDescription>& rows) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  };
+  append(describe(MotionOptions{}));
+  append(describe(SwarmFilterOptions{}));
+  append(describe(SwarmFixOptions{}));
+  append(describe(RangeObjectiveOptions{}));
+  if (rule != Rule::kParticleSwarm) append(describe(BatOptions{}));
+  if (rule == Rule::kLeaders) append(describe(LeaderOptions{}));
+  append(describe(ElsewhereOptions{}));
+  append(describe(PlaceSamplerOptions{}));
+  const auto make = [rule](const FilterContext& context) { return makeSwarmFilter(rule, context); };
+  return {name, sentence, make, std::move(all), std::move(recommended), std::move(seed)};
+}
+
 }  // namespace
 
 std::vector<FilterDescription> builtinFilters() {
@@ -120,6 +163,14 @@ std::vector<FilterDescription> builtinFilters() {
       "SAMCL with as many particles as KLD-sampling asks for, from the first scan on (SA-KLD).",
       Size::kKld, Looks::kKidnapTest, {{"relocalize", true}},
       Preset{{"kidnap_arm_particles", 1000}} + sourceOfSamcl() + sourceOfKld() + sourceOfAll()));
+  const Preset relocalize{{"relocalize", true}};
+  filters.push_back(swarmFilter("pso", "Particle swarm: looks for the pose that explains the scan.",
+                                Rule::kParticleSwarm, relocalize, sourceOfSwarms()));
+  filters.push_back(swarmFilter("ba", "Bat algorithm: the same with bats.", Rule::kBats, relocalize,
+                                sourceOfBats() + sourceOfSwarms()));
+  filters.push_back(swarmFilter("lbba", "Leader-based bat algorithm: bats that follow leaders.",
+                                Rule::kLeaders, relocalize,
+                                sourceOfLeaders() + sourceOfBats() + sourceOfSwarms()));
   return filters;
 }
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm_fix.hpp"
+
+namespace adaptive_localization {
+
+struct SwarmFilterOptions {
+  int swarm_size{400};
+  double swarm_fix_deviation{0.0};
+  double swarm_explained{0.15};
+  int swarm_confirm_scans{2};
+  double swarm_ratio{2.0};
+  bool swarm_fuse{true};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("swarm_size", swarm_size, Range{2, 1000000}, "", "Searchers in the swarm.");
+    option("swarm_fix_deviation", swarm_fix_deviation, kNotNegative, "m",
+           "The swarm looks for the robot once the position's standard deviation by odometry is "
+           "above this, or a scan is not explained; 0: at every update.");
+    option("swarm_explained", swarm_explained, kPositive, "m, 1",
+           "A place does not explain a scan if its cost is above this.");
+    option("swarm_confirm_scans", swarm_confirm_scans, Range{1, 1000}, "",
+           "Scans in a row that the robot's place does not explain before the swarm spreads.");
+    option("swarm_ratio", swarm_ratio, kNotNegative, "",
+           "How many times smaller the cost of another place must be to go there; 0: the robot "
+           "goes wherever the swarm does.");
+    option("swarm_fuse", swarm_fuse,
+           "Weigh what the swarm finds against odometry by their covariances; otherwise odometry "
+           "is forgotten.");
+  }
+};
+
+/// The parts that make the difference between pso, ba and lbba.
+struct SwarmFilterParts {
+  std::unique_ptr<MotionModel> motion;
+  std::unique_ptr<SwarmMove> move;
+  std::unique_ptr<SwarmFixer> fixer;
+  std::unique_ptr<PoseSampler> elsewhere;
+};
+
+/// A swarm looks for the pose that explains the scan best, in a narrow cloud where odometry says
+/// the robot is, or everywhere if that is not known; between such fixes the pose rides on odometry
+/// and its covariance grows:
+///
+///     P' = F P F^T + Q
+///
+/// A fix is taken for another observation of the pose (Kalman). If no place in the cloud explains
+/// several scans in a row, the swarm spreads; it goes to a place elsewhere if that explains two
+/// scans in a row, and much better.
+class SwarmFilter : public Filter {
+ public:
+  SwarmFilter(const SwarmFilterOptions& options, SwarmFilterParts parts, std::uint64_t seed)
+      : options_(options), parts_(std::move(parts)), rng_(seed) {}
+
+  void reset(const Prior& prior) override;
+  Estimate update(const Pose2& motion, const Observations& observations) override;
+  Estimate estimate() const override { return estimate_; }
+  const Particles& hypotheses() const override { return bats_; }
+  Particles leaders() const override { return leaders_; }
+
+ private:
+  void draw(const Gaussian2& gaussian, Eigen::Index count);
+  void drawElsewhere(double share_here);
+  void ride(const Pose2& motion);
+  bool isFixDue(const Observations& observations) const;
+  void fixHere(const Observations& observations);
+  void fixAnywhere(const Observations& observations);
+  void lookElsewhere(const Observations& observations, const SwarmFix& here);
+  void take(const SwarmFix& fix, bool is_fused);
+
+  SwarmFilterOptions options_;
+  SwarmFilterParts parts_;
+  Rng rng_;
+  Particles bats_, leaders_;
+  Estimate estimate_;
+  bool anywhere_{false};
+  bool is_fix_asked_{false};
+  bool is_undecided_{false};        // the bats are in several places
+  int unexplained_{0};              // scans in a row
+  std::optional<Pose2> candidate_;  // explained the last scan much better
+};
+
+}  // namespace adaptive_localization

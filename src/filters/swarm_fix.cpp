@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "swarm_fix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "adaptive_localization/particle/summary.hpp"
+#include "adaptive_localization/swarm/leaders.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kCastPrice = 30.0;      // look-ups that a ray is worth
+constexpr double kTemperature = 0.004;   // m, 1: a place so much worse is e times less likely
+constexpr double kPolishXy = 0.03;       // m, of the cloud that is polished
+constexpr double kPolishTheta = 0.02;    // rad
+constexpr Eigen::Index kPolishers = 40;  // bats
+constexpr double kFloorXy = 0.015;       // m: what map and laser are off by at the least
+constexpr double kFloorTheta = 0.008;    // rad
+
+Eigen::ArrayXXd columnsOf(const Particles& particles) {
+  Eigen::ArrayXXd columns(particles.size(), 3);
+  columns << particles.x, particles.y, particles.theta;
+  return columns;
+}
+
+/// Each bat where it is and as likely as its cost says.
+Particles particlesOf(const Swarm& swarm) {
+  Particles bats(swarm.size());
+  for (Eigen::Index i = 0; i < swarm.size(); ++i) {
+    bats.setPose(i, {swarm.position(i, 0), swarm.position(i, 1), wrapAngle(swarm.position(i, 2))});
+  }
+  bats.log_weight = -(swarm.cost - swarm.cost.minCoeff()) / kTemperature;
+  return bats;
+}
+
+Eigen::ArrayXd weightsOf(const Particles& bats) {
+  const Eigen::ArrayXd weights = (bats.log_weight - bats.log_weight.maxCoeff()).exp();
+  return weights / weights.sum();
+}
+
+Eigen::Matrix3d floorCovariance() {
+  return Eigen::Vector3d(kFloorXy * kFloorXy, kFloorXy * kFloorXy, kFloorTheta * kFloorTheta)
+      .asDiagonal();
+}
+
+Estimate estimateOf(const Particles& bats) {
+  Estimate estimate = summarize(bats, weightsOf(bats));
+  for (Mode& mode : estimate.modes) mode.covariance += floorCovariance();
+  estimate.covariance += floorCovariance();
+  return estimate;
+}
+
+/// Moves that remember the best place of each searcher stand on these now.
+void stepBackToBest(Swarm& swarm) {
+  for (Eigen::Index i = 0; i < swarm.size(); ++i) {
+    if (!(swarm.own_best_cost[i] < swarm.cost[i])) continue;
+    swarm.position.row(i) = swarm.own_best.row(i);
+    swarm.cost[i] = swarm.own_best_cost[i];
+  }
+}
+
+}  // namespace
+
+SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
+                       const LeaderOptions& leaders, double max_range,
+                       std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places)
+    : options_(options),
+      objective_(objective),
+      leaders_(leaders),
+      max_range_(max_range),
+      map_(std::move(map)),
+      places_(std::move(places)) {
+  const Lattice& lattice = map_->lattice();
+  const double width = lattice.width() * lattice.resolution();
+  const double height = lattice.height() * lattice.resolution();
+  whole_.low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  whole_.high = -whole_.low;
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(width, 0), Eigen::Vector2d(0, height),
+        Eigen::Vector2d(width, height)}) {
+    const Eigen::Vector2d at = lattice.origin() * corner;
+    whole_.low.head(2) = whole_.low.head(2).min(at.array());
+    whole_.high.head(2) = whole_.high.head(2).max(at.array());
+  }
+  whole_.low[2] = -kPi;
+  whole_.high[2] = kPi;
+  whole_.has_heading = true;
+  whole_.is_torus = options_.wrap_map;
+}
+
+Pose2 SwarmFixer::inMap(const Pose2& T_map_base) const {
+  if (!options_.wrap_map) return T_map_base;
+  return {whole_.inside(0, T_map_base.x), whole_.inside(1, T_map_base.y), T_map_base.theta};
+}
+
+double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observations) {
+  Eigen::ArrayXXd position(1, 3);
+  position << T_map_base.x, T_map_base.y, T_map_base.theta;
+  Eigen::ArrayXd cost(1);
+  CastObjective(objective_, observations.scan, max_range_, map_).evaluate(position, cost);
+  return cost[0];
+}
+
+double SwarmFixer::worst() const {
+  return objective_.swarm_error == "relative" ? 1.0 : objective_.swarm_truncation;
+}
+
+/// The table is there once somebody needs it and, where it is made in the background, it is done.
+std::unique_ptr<RangeObjective> SwarmFixer::objectiveFor(const Observations& observations) {
+  const Scan& scan = observations.scan;
+  if (options_.swarm_ranges == "table" && scan.hits() > 0) {
+    const auto grid = places_->energyGrid(scan);
+    if (grid && grid != grid_) {
+      if (!grid_ || grid->sharedRanges() != grid_->sharedRanges()) {
+        rows_ = std::make_shared<const RangeRows>(grid->sharedRanges());
+      }
+      grid_ = grid;
+    }
+    if (grid) return std::make_unique<TableObjective>(objective_, scan, rows_);
+  }
+  return std::make_unique<CastObjective>(objective_, scan, max_range_, map_);
+}
+
+/// Twice as wide as the positions are; headings as they are, not wrapped.
+SearchSpace SwarmFixer::spaceAround(const Eigen::ArrayXXd& positions) const {
+  constexpr double kLeast = 0.02;  // m, rad
+  SearchSpace space;
+  const Eigen::ArrayXd low = positions.colwise().minCoeff();
+  const Eigen::ArrayXd high = positions.colwise().maxCoeff();
+  const Eigen::ArrayXd more = 0.5 * (high - low) + kLeast;
+  space.low = low - more;
+  space.high = high + more;
+  space.has_heading = true;
+  return space;
+}
+
+SwarmFix SwarmFixer::fix(const Particles& start, bool is_anywhere, const SwarmMove& move,
+                         const Observations& observations, Rng& rng) {
+  const auto objective = objectiveFor(observations);
+  const bool is_cast = dynamic_cast<const CastObjective*>(objective.get()) != nullptr;
+  Particles placed = start;
+  for (Eigen::Index i = 0; i < placed.size(); ++i) placed.setPose(i, inMap(placed.pose(i)));
+  const Eigen::ArrayXXd positions = columnsOf(placed);
+  const bool is_whole = is_anywhere || options_.wrap_map;
+  Swarm swarm(is_whole ? whole_ : spaceAround(positions), positions, *objective);
+  StopRule rule;
+  rule.tolerance = options_.swarm_tolerance;
+  rule.max_iterations = options_.swarm_max_iterations;
+  rule.patience = options_.swarm_patience;
+  rule.max_evaluations =
+      1e6 * options_.swarm_budget / (objective_.swarm_beams * (is_cast ? kCastPrice : 1.0));
+  const SearchResult result = search(swarm, move, *objective, rule, rng);
+  stepBackToBest(swarm);
+
+  SwarmFix fix;
+  fix.bats = particlesOf(swarm);
+  fix.estimate = estimateOf(fix.bats);
+  fix.cost = swarm.best_cost;
+  fix.iterations = result.iterations;
+  const auto leading = bestBats(
+      swarm, numberOfLeaders(swarm.size(), leaders_.leaders_per_bats, leaders_.min_leaders));
+  fix.leaders = Particles(static_cast<Eigen::Index>(leading.size()));
+  for (std::size_t j = 0; j < leading.size(); ++j) {
+    fix.leaders.setPose(static_cast<Eigen::Index>(j), fix.bats.pose(leading[j]));
+  }
+  if (options_.swarm_polish_beams > 0 && !objective->isEmpty()) {
+    polish(move, observations.scan, fix, rng);
+  }
+  return fix;
+}
+
+/// The heaviest mode, by exact ranges.
+void SwarmFixer::polish(const SwarmMove& move, const Scan& scan, SwarmFix& fix, Rng& rng) const {
+  RangeObjectiveOptions options = objective_;
+  options.swarm_beams = options_.swarm_polish_beams;
+  const CastObjective exact(options, scan, max_range_, map_);
+  Particles cloud(kPolishers);
+  cloud.setPose(0, fix.estimate.T_map_base);
+  for (Eigen::Index i = 1; i < kPolishers; ++i) {
+    const Pose2& centre = fix.estimate.T_map_base;
+    cloud.setPose(i, {rng.normal(centre.x, kPolishXy), rng.normal(centre.y, kPolishXy),
+                      rng.normal(centre.theta, kPolishTheta)});
+  }
+  const Eigen::ArrayXXd positions = columnsOf(cloud);
+  Swarm swarm(spaceAround(positions), positions, exact);
+  StopRule rule;
+  rule.tolerance = options_.swarm_tolerance;
+  rule.max_iterations = 8;
+  rule.patience = 3;
+  fix.iterations += search(swarm, move, exact, rule, rng).iterations;
+  stepBackToBest(swarm);
+  Estimate polished = estimateOf(particlesOf(swarm));
+  fix.cost = swarm.best_cost;
+  fix.estimate.T_map_base = polished.T_map_base;
+  fix.estimate.covariance = polished.covariance;
+  fix.estimate.modes.front().T_map_base = polished.T_map_base;
+  fix.estimate.modes.front().covariance = polished.covariance;
+}
+
+}  // namespace adaptive_localization

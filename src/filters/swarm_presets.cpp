@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "swarm_presets.hpp"
+
+#include <string>
+
+namespace adaptive_localization {
+
+Preset sourceOfSwarms() {
+  return {{"swarm_size", 2000},
+          {"swarm_beams", 11},
+          {"swarm_error", std::string("relative")},
+          {"swarm_tolerance", 0.03},
+          {"swarm_max_iterations", 500},
+          {"swarm_patience", 0},
+          {"swarm_polish_beams", 0},
+          {"swarm_fix_deviation", 0.3},
+          {"swarm_explained", 0.06},
+          {"swarm_confirm_scans", 1},
+          {"swarm_ratio", 0.0},
+          {"swarm_fuse", false},
+          {"elsewhere", std::string("free")},
+          {"update_min_d", 0.0},
+          {"update_min_a", 0.0}};
+}
+
+Preset sourceOfBats() {
+  return {{"bat_frequency", 1.0},     {"bat_inertia", 1.0},    {"bat_walk_share", -1.0},
+          {"bat_walk_adapts", false}, {"bat_leap_share", 0.0}, {"bat_greedy", false}};
+}
+
+Preset sourceOfLeaders() {
+  return {
+      {"leaders_per_bats", 300}, {"min_leaders", 1}, {"walk_center", std::string("global_best")}};
+}
+
+}  // namespace adaptive_localization

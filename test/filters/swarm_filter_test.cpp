@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "adaptive_localization/filter_registry.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_drive.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using Values = std::map<std::string, OptionValue>;
+
+std::unique_ptr<Filter> makeSwarm(const std::string& name, const std::string& preset,
+                                  const Values& more = {}, std::uint64_t seed = 1) {
+  const FilterRegistry registry;
+  const FilterDescription& description = registry.find(name);
+  FilterContext context;
+  context.map = asymmetricWorld();
+  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  context.seed = seed;
+  for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
+    context.parameters.set(key, value);
+  }
+  for (const auto& [key, value] : more) context.parameters.set(key, value);
+  return description.make(context);
+}
+
+Gaussian2 exactly(const Pose2& mean) {
+  return {mean, Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()};
+}
+
+Observations seenAt(const Pose2& pose) {
+  return ToyLaser{61, -2.0, 2.0, 12.0}.observe(asymmetricWorld(), pose);
+}
+
+/// What a laser sees that somebody holds a hand before.
+Observations covered() {
+  Observations seen = seenAt({1.0, 1.0, 0.0});
+  Scan& scan = seen.scan;
+  for (Eigen::Index i = 0; i < scan.range.size(); ++i) {
+    scan.x[i] *= 0.15F / scan.range[i];
+    scan.y[i] *= 0.15F / scan.range[i];
+    scan.range[i] = 0.15F;
+  }
+  return seen;
+}
+
+class SwarmFilters : public testing::TestWithParam<const char*> {};
+
+TEST_P(SwarmFilters, FindTheRobotInOneScan) {
+  const Pose2 truth{7.0, 1.0, 2.0};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto filter = makeSwarm(GetParam(), "recommended", {}, seed);
+    filter->reset(Anywhere{});
+    const Estimate estimate = filter->update({}, seenAt(truth));
+    EXPECT_THAT(estimate.T_map_base, PoseNear(truth, 0.05, 0.02)) << "seed " << seed;
+    EXPECT_LT(std::sqrt(estimate.covariance(0, 0)), 0.05);
+  }
+}
+
+TEST_P(SwarmFilters, TrackToCentimetres) {
+  const auto drive = toyDrive(asymmetricWorld(), 3, 61);
+  const auto filter = makeSwarm(GetParam(), "recommended");
+  filter->reset(exactly(drive.front().T_map_base));
+  double squares = 0.0;
+  for (const ToyStep& step : drive) {
+    const Pose2 pose = filter->update(step.motion, step.observations).T_map_base;
+    squares += std::pow(distance(pose, step.T_map_base), 2);
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(drive.size())), 0.015);
+}
+
+TEST_P(SwarmFilters, AreThereAgainSoonAfterAKidnap) {
+  const auto filter = makeSwarm(GetParam(), "recommended");
+  filter->reset(exactly({1.0, 1.0, 0.0}));
+  for (int i = 0; i < 5; ++i) filter->update({}, seenAt({1.0, 1.0, 0.0}));
+  const Pose2 elsewhere{8.0, 0.7, 2.5};
+  for (int i = 0; i < 4; ++i) filter->update({}, seenAt(elsewhere));
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(elsewhere, 0.05, 0.02));
+}
+
+TEST_P(SwarmFilters, KeepToOdometryBehindACoveredLaser) {
+  const auto filter = makeSwarm(GetParam(), "recommended");
+  Pose2 truth{1.0, 1.0, 0.0};
+  filter->reset(exactly(truth));
+  filter->update({}, seenAt(truth));
+  for (int i = 0; i < 10; ++i) {
+    truth = truth * Pose2{0.1, 0.0, 0.0};
+    filter->update({0.1, 0.0, 0.0}, covered());
+  }
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(truth, 0.05, 0.05));
+}
+
+TEST_P(SwarmFilters, RideOnOdometryUntilItIsTooUncertain) {
+  const auto filter = makeSwarm(GetParam(), "seed", {{"swarm_fix_deviation", 0.1}});
+  Pose2 truth{2.0, 1.0, 0.0};
+  filter->reset(exactly(truth));
+  const auto deviation = [&] { return std::sqrt(filter->estimate().covariance(0, 0)); };
+  filter->update({}, seenAt(truth));
+  double before = deviation();
+  int grown = 0, fixes = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Pose2 motion{i % 20 < 10 ? 0.1 : -0.1, 0.0, 0.0};
+    truth = truth * motion;
+    filter->update(motion, seenAt(truth));
+    grown += deviation() > before ? 1 : 0;
+    fixes += deviation() < before ? 1 : 0;
+    before = deviation();
+    ASSERT_LT(before, 0.13);
+    ASSERT_THAT(filter->estimate().T_map_base, PoseNear(truth, 0.2, 0.1));
+  }
+  EXPECT_GT(grown, 40);
+  EXPECT_GT(fixes, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, SwarmFilters, testing::Values("pso", "ba", "lbba"));
+
+TEST(SwarmFilter, LeadersAreSomeOfTheBats) {
+  const auto filter = makeSwarm("lbba", "recommended", {{"swarm_size", 500}});
+  EXPECT_EQ(filter->leaders().size(), 0);
+  filter->reset(Anywhere{});
+  filter->update({}, seenAt({7.0, 1.0, 2.0}));
+  const Particles leaders = filter->leaders();
+  ASSERT_EQ(leaders.size(), 10);
+  const Particles& bats = filter->hypotheses();
+  for (Eigen::Index j = 0; j < leaders.size(); ++j) {
+    EXPECT_EQ((bats.x - leaders.x[j]).abs().minCoeff(), 0.0);
+  }
+}
+
+TEST(SwarmFilter, OnATorusARobotComesBackAtTheOtherEnd) {
+  const auto filter = makeSwarm("lbba", "recommended", {{"wrap_map", true}});
+  filter->reset(exactly({9.9, 2.5, 0.0}));
+  const Observations nothing;
+  const Estimate estimate = filter->update({0.4, 0.0, 0.0}, nothing);
+  EXPECT_NEAR(estimate.T_map_base.x, 0.3, 1e-9);
+}
+
+TEST(SwarmFilter, FindsWithRayCastingWhatItFindsWithTheTable) {
+  const Pose2 truth{7.0, 1.0, 2.0};
+  const auto filter = makeSwarm("lbba", "recommended",
+                                {{"swarm_ranges", std::string("cast")}, {"swarm_budget", 100.0}});
+  filter->reset(Anywhere{});
+  EXPECT_THAT(filter->update({}, seenAt(truth)).T_map_base, PoseNear(truth, 0.05, 0.02));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
