@@ -12,7 +12,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kWidth = 560, kHeight = 440;                       // px, of a panel
-constexpr int kLeft = 64, kRight = 24, kTop = 44, kBottom = 52;  // px around the axes
+constexpr int kLeft = 64, kRight = 40, kTop = 44, kBottom = 52;  // px around the axes
 constexpr double kFewest = 20.0, kMost = 1200.0, kIterations = 500.0;
 const cv::Scalar kBlack(0, 0, 0), kGrey(220, 220, 220), kWhite(255, 255, 255);
 const cv::Scalar kColours[] = {
@@ -58,7 +58,7 @@ cv::Mat draw(const std::string& function, const std::vector<SwarmRaceCell>& cell
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const cv::Scalar& colour = kColours[i % kColourCount];
     cv::polylines(panel, curves[moves[i]], false, colour, 2, cv::LINE_AA);
-    const cv::Point at(kWidth - kRight - 180, kTop + 14 + 20 * static_cast<int>(i));
+    const cv::Point at(kWidth - kRight - 170, kTop + 14 + 20 * static_cast<int>(i));
     cv::line(panel, at - cv::Point(0, 5), at + cv::Point(24, -5), colour, 3, cv::LINE_AA);
     putText(panel, moves[i], at + cv::Point(32, 0));
   }
