@@ -2,8 +2,8 @@
 #include "adaptive_localization/eval/swarm_race.hpp"
 
 #include <cstdio>
-#include <memory>
 
+#include "adaptive_localization/eval/swarm_fixes.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 #include "adaptive_localization/swarm/test_functions.hpp"
 
@@ -14,24 +14,8 @@ constexpr double kTolerance = 0.01;
 constexpr int kMaxIterations = 500;
 constexpr int kSearchers[] = {20, 50, 100, 300, 600, 1200};
 
-struct Racer {
-  std::string name;
-  std::unique_ptr<const SwarmMove> move;
-};
-
-std::vector<Racer> racers() {
-  BatOptions repulsive = printedBats();
-  repulsive.bat_repulsive = true;
-  std::vector<Racer> all;
-  all.push_back({"ba as printed", std::make_unique<BatMove>(repulsive)});
-  all.push_back({"ba, right sign", std::make_unique<BatMove>(printedBats())});
-  all.push_back({"lbba as printed", std::make_unique<BatMove>(printedBats(), printedLeaders())});
-  all.push_back({"lbba improved", std::make_unique<BatMove>(BatOptions{}, LeaderOptions{})});
-  all.push_back({"pso", std::make_unique<ParticleSwarmMove>()});
-  return all;
-}
-
-SwarmRaceCell race(const TestFunction& function, const Racer& racer, int searchers, int seeds) {
+SwarmRaceCell race(const TestFunction& function, const SwarmRacer& racer, int searchers,
+                   int seeds) {
   StopRule rule;
   rule.tolerance = kTolerance;
   rule.max_iterations = kMaxIterations;
@@ -48,11 +32,21 @@ SwarmRaceCell race(const TestFunction& function, const Racer& racer, int searche
 
 }  // namespace
 
+std::vector<SwarmRacer> swarmRacers() {
+  BatOptions repulsive = printedBats();
+  repulsive.bat_repulsive = true;
+  return {{"ba as printed", std::make_shared<BatMove>(repulsive)},
+          {"ba, right sign", std::make_shared<BatMove>(printedBats())},
+          {"lbba as printed", std::make_shared<BatMove>(printedBats(), printedLeaders())},
+          {"lbba improved", std::make_shared<BatMove>(BatOptions{}, LeaderOptions{})},
+          {"pso", std::make_shared<ParticleSwarmMove>()}};
+}
+
 std::vector<SwarmRaceCell> raceSwarms(int seeds) {
   std::vector<SwarmRaceCell> cells;
-  const auto all = racers();
+  const auto all = swarmRacers();
   for (const TestFunction& function : testFunctions()) {
-    for (const Racer& racer : all) {
+    for (const SwarmRacer& racer : all) {
       for (const int count : kSearchers) cells.push_back(race(function, racer, count, seeds));
     }
   }
