@@ -234,7 +234,8 @@ void Localizer::relocalize() {
 /// Where scans contradict the map, or the filter jumps, other places are worth a thought.
 bool Localizer::isDoubtful(const Pose2& T_map_base_expected) const {
   const bool jumped = !areSamePlace(T_map_base_expected, last_.estimate.T_map_base);
-  return confidence_->contradictions() >= kLostScans || (converged_ && jumped);
+  const bool had_place = converged_ || from_anywhere_;  // by scans, not by an initial pose's word
+  return confidence_->contradictions() >= kLostScans || (had_place && jumped);
 }
 
 Status Localizer::judge() const {
