@@ -76,6 +76,7 @@ void update(benchmark::State& state, const std::string& core, int particles, int
   FilterContext context = contextFor(building());
   context.parameters.set("min_particles", OptionValue{particles});
   context.parameters.set("max_particles", OptionValue{particles});
+  context.parameters.set("swarm_size", OptionValue{particles});
   context.parameters.set("selective_resampling", OptionValue{false});
   const auto filter = FilterRegistry().find(core).make(context);
   const Pose2 motion{0.1, 0.0, 0.02};
