@@ -192,17 +192,19 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   return last_;
 }
 
-/// A robot that was known to be somewhere is there until that place is ruled out and another one is
-/// likelier than all others: what a filter makes of a blocked laser is no reason to jump.
+/// A robot that was known to be somewhere is there until that place is ruled out and another one,
+/// that explains the scan well, is likelier than all others: what a filter makes of a blocked laser
+/// is no reason to jump.
 bool Localizer::isCorrection(const Pose2& T_map_base_by_odometry) const {
   constexpr double kSmall = 0.1;      // m, rad
   constexpr double kRuledOut = 0.05;  // mass
   constexpr double kLikely = 0.5;     // mass
+  constexpr double kWell = 0.1;       // m
   if (!converged_ || last_.status == Status::kTracking) return true;
   if (last_.status != Status::kAmbiguous) return false;
   const Pose2 moved = between(T_map_base_by_odometry, last_.estimate.T_map_base);
   if (std::hypot(moved.x, moved.y) < kSmall && std::abs(moved.theta) < kSmall) return true;
-  return rivals_->shareOf(T_map_base_by_odometry) < kRuledOut &&
+  return rivals_->leastError() < kWell && rivals_->shareOf(T_map_base_by_odometry) < kRuledOut &&
          rivals_->shareOf(last_.estimate.T_map_base) > kLikely;
 }
 

@@ -19,6 +19,17 @@ constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum o
 constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
 constexpr double kPlaceTurnStd = 0.03;  // rad
 
+/// A hand before the laser looks like a corner of the map somewhere: a scan that sees hardly
+/// anything beyond arm's length is no evidence.
+bool isCovered(const Scan& scan) {
+  constexpr double kArm = 0.6;    // m
+  constexpr double kShare = 0.1;  // of the beams
+  const Eigen::Index far =
+      (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
+  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
+  return static_cast<double>(far) < kShare * static_cast<double>(beams);
+}
+
 double wayOf(const Pose2& motion) {
   return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
 }
@@ -59,6 +70,7 @@ void Rivals::goOnFrom(const Rivals& other) {
   searched_ = other.searched_;
   explained_ = other.explained_;
   contradictions_ = other.contradictions_;
+  least_error_ = other.least_error_;
   scans_until_search_ = other.scans_until_search_;
   pause_ = other.pause_;
   way_ = other.way_;
@@ -80,7 +92,7 @@ void Rivals::observe(const Pose2& motion, const Pose2& T_map_base,
   for (Hypothesis& hypothesis : hypotheses_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
   way_ += wayOf(motion);
   way_since_search_ += wayOf(motion);
-  if (settled_ || observations.scan.hits() == 0) return;
+  if (settled_ || observations.scan.hits() == 0 || isCovered(observations.scan)) return;
   const PlaceRefiner refiner(map_, *field_, observations.scan, observations.scan.max_range,
                              kTruncation);
   for (Hypothesis& hypothesis : hypotheses_) align(refiner, hypothesis);
@@ -143,6 +155,7 @@ void Rivals::search(const Observations& observations) {
 void Rivals::weigh(double share) {
   double least = kTruncation;
   for (const auto& hypothesis : hypotheses_) least = std::min(least, hypothesis.error);
+  least_error_ = least;
   explained_ = least < kExplained;
   for (auto& hypothesis : hypotheses_) {
     const double excess = hypothesis.error - (1.0 + options_.rival_tolerance_share) * least -

@@ -75,6 +75,9 @@ class Rivals {
   /// them.
   int contradictions() const { return contradictions_; }
 
+  /// Mean range error, m, of the last scan at the place that explains it best.
+  double leastError() const { return least_error_; }
+
   /// No other place than the one believed in explains what was seen.
   bool isSettled() const { return settled_; }
 
@@ -108,6 +111,7 @@ class Rivals {
   bool settled_{true};
   bool searched_{false};  // and something was found
   int contradictions_{0};
+  double least_error_{0.0};
   bool explained_{false};  // some place explains the last scan
   int scans_until_search_{0};
   int pause_{0};     // scans between searches that find nothing
