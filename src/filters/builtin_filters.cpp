@@ -110,9 +110,10 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   SwarmFilterParts parts;
   parts.motion = makeMotionModel(given.read<MotionOptions>());
   parts.move = makeSwarmMove(rule, given);
+  std::optional<LeaderOptions> leaders;
+  if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
   parts.fixer = std::make_unique<SwarmFixer>(
-      given.read<SwarmFixOptions>(), given.read<RangeObjectiveOptions>(),
-      rule == Rule::kLeaders ? given.read<LeaderOptions>() : LeaderOptions{},
+      given.read<SwarmFixOptions>(), given.read<RangeObjectiveOptions>(), leaders,
       given.read<EnergyGridOptions>().energy_max_range, context.map, places);
   parts.elsewhere = makeSampler(context, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),

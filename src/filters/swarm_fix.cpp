@@ -52,6 +52,16 @@ Estimate estimateOf(const Particles& bats) {
   return estimate;
 }
 
+Particles leadersOf(const Swarm& swarm, const Particles& bats, const LeaderOptions& options) {
+  const auto leading =
+      bestBats(swarm, numberOfLeaders(swarm.size(), options.leaders_per_bats, options.min_leaders));
+  Particles leaders(static_cast<Eigen::Index>(leading.size()));
+  for (std::size_t j = 0; j < leading.size(); ++j) {
+    leaders.setPose(static_cast<Eigen::Index>(j), bats.pose(leading[j]));
+  }
+  return leaders;
+}
+
 /// Moves that remember the best place of each searcher stand on these now.
 void stepBackToBest(Swarm& swarm) {
   for (Eigen::Index i = 0; i < swarm.size(); ++i) {
@@ -64,7 +74,7 @@ void stepBackToBest(Swarm& swarm) {
 }  // namespace
 
 SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
-                       const LeaderOptions& leaders, double max_range,
+                       const std::optional<LeaderOptions>& leaders, double max_range,
                        std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places)
     : options_(options),
       objective_(objective),
@@ -159,12 +169,7 @@ SwarmFix SwarmFixer::fix(const Particles& start, bool is_anywhere, const SwarmMo
   fix.estimate = estimateOf(fix.bats);
   fix.cost = swarm.best_cost;
   fix.iterations = result.iterations;
-  const auto leading = bestBats(
-      swarm, numberOfLeaders(swarm.size(), leaders_.leaders_per_bats, leaders_.min_leaders));
-  fix.leaders = Particles(static_cast<Eigen::Index>(leading.size()));
-  for (std::size_t j = 0; j < leading.size(); ++j) {
-    fix.leaders.setPose(static_cast<Eigen::Index>(j), fix.bats.pose(leading[j]));
-  }
+  if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
   if (options_.swarm_polish_beams > 0 && !objective->isEmpty()) {
     polish(move, observations.scan, fix, rng);
   }

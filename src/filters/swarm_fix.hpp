@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "adaptive_localization/filter.hpp"
@@ -46,15 +47,15 @@ struct SwarmFix {
   Estimate estimate;
   double cost;
   int iterations;
-  Particles bats;  // weighed by their cost
-  Particles leaders;
+  Particles bats;     // weighed by their cost
+  Particles leaders;  // of the bats
 };
 
 /// Lets a swarm loose on a scan.
 class SwarmFixer {
  public:
   SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
-             const LeaderOptions& leaders, double max_range,
+             const std::optional<LeaderOptions>& leaders, double max_range,
              std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places);
 
   /// The best poses for a scan, from these on, all over the map or not far from them.
@@ -77,7 +78,7 @@ class SwarmFixer {
 
   SwarmFixOptions options_;
   RangeObjectiveOptions objective_;
-  LeaderOptions leaders_;
+  std::optional<LeaderOptions> leaders_;  // of swarms that have such
   double max_range_;
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<Places> places_;

@@ -31,6 +31,7 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
       pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true)),
       cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
       modes_(private_node.advertise<geometry_msgs::PoseArray>("modes", 2, true)),
+      leaders_(private_node.advertise<geometry_msgs::PoseArray>("leaders", 2, true)),
       confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
       status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {
   if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
@@ -70,6 +71,14 @@ void EstimatePublisher::publishModes(const std::vector<Mode>& modes, const ros::
     message.poses.push_back(toPoseMessage(modes[i].T_map_base));
   }
   modes_.publish(message);
+}
+
+void EstimatePublisher::publishLeaders(const Particles& leaders, const ros::Time& stamp) {
+  if (leaders.size() == 0) return;
+  geometry_msgs::PoseArray message = toMessage(leaders);
+  message.header.stamp = stamp;
+  message.header.frame_id = options_.global_frame_id;
+  leaders_.publish(message);
 }
 
 void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& stamp) {

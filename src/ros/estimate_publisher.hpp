@@ -13,8 +13,8 @@
 
 namespace adaptive_localization {
 
-/// What the node tells the world: amcl_pose, particlecloud, map -> odom, ~modes, ~confidence and
-/// ~status.
+/// What the node tells the world: amcl_pose, particlecloud, map -> odom, ~modes, ~leaders,
+/// ~confidence and ~status.
 class EstimatePublisher {
  public:
   EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node, const NodeOptions& options);
@@ -22,6 +22,9 @@ class EstimatePublisher {
   /// After a scan was used. The transform goes out every time (or at its own
   /// rate), pose, cloud and modes only after an update.
   void publish(const Localization& answer, const Particles& particles, const ros::Time& stamp);
+
+  /// The leaders of a swarm; nothing where the filter has none.
+  void publishLeaders(const Particles& leaders, const ros::Time& stamp);
 
   /// The status in words with its figures. `ms_per_update` is that of the last update.
   void publishStatus(const Localization& answer, Eigen::Index particles, double ms_per_update,
@@ -38,6 +41,7 @@ class EstimatePublisher {
   ros::Publisher pose_;
   ros::Publisher cloud_;
   ros::Publisher modes_;
+  ros::Publisher leaders_;
   ros::Publisher confidence_;
   ros::Publisher status_;
   tf2_ros::TransformBroadcaster broadcaster_;

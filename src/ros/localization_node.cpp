@@ -93,6 +93,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   const Particles& particles = localizer_->hypotheses();
   if (answer.status != Status::kUninitialised) {
     publisher_.publish(answer, particles, stamp);
+    if (answer.updated) publisher_.publishLeaders(localizer_->leaders(), stamp);
     pose_keeper_.keep({answer.T_map_base, answer.estimate.covariance}, stamp);
   }
   publisher_.publishStatus(answer, particles.size(), ms_per_update_, scans_.counts());

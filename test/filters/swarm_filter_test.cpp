@@ -130,6 +130,10 @@ TEST(SwarmFilter, LeadersAreSomeOfTheBats) {
   for (Eigen::Index j = 0; j < leaders.size(); ++j) {
     EXPECT_EQ((bats.x - leaders.x[j]).abs().minCoeff(), 0.0);
   }
+  const auto no_leaders = makeSwarm("ba", "recommended");
+  no_leaders->reset(Anywhere{});
+  no_leaders->update({}, seenAt({7.0, 1.0, 2.0}));
+  EXPECT_EQ(no_leaders->leaders().size(), 0);
 }
 
 TEST(SwarmFilter, OnATorusARobotComesBackAtTheOtherEnd) {
