@@ -14,7 +14,6 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr int kSearchers[] = {20, 400, 800, 1200, 1600, 2000};
 constexpr int kBeams = 11;
 constexpr double kMaxRange = 10.0, kNoise = 0.031;               // m
 constexpr double kRight = 0.15, kRightTurn = 5.0 * kPi / 180.0;  // m, rad
@@ -123,7 +122,7 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
   const Fixes fixes(plan);
   std::vector<SwarmFixCell> cells;
   for (const SwarmRacer& racer : swarmRacers()) {
-    for (const int count : kSearchers) cells.push_back(fixes.race(racer, count));
+    for (const int count : plan.searchers) cells.push_back(fixes.race(racer, count));
   }
   return cells;
 }

@@ -35,6 +35,7 @@ struct SwarmFixPlan {
   std::string world;        // YAML file of a floor plan
   double resolution{0.05};  // m, of the map
   int runs{30};
+  std::vector<int> searchers{20, 400, 800, 1200, 1600, 2000};
   bool is_torus{false};
 };
 
