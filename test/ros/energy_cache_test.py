@@ -76,8 +76,8 @@ class EnergyCache(ToyRobotCase):
         self.subscribers.append(rospy.Subscriber("/rosout", Log, self.on_log))
         self.maps.publish(self.map)
         self.wait_for_log("Map of")
-        self.steps(3)
-        self.wait_for_log("Energy grid ready")
+        # the first scans may come before the node is connected to tf
+        self.wait_for(lambda: self.step() or self.logged("Energy grid ready"), "the energy grid")
         self.ready = self.logged("Energy grid ready")[0]
         how, seconds = re.search(r"(built|loaded) in ([0-9.]+) s", self.ready).groups()
         print(self.ready)
