@@ -13,12 +13,12 @@ constexpr double kCloseEnough = 1.1;  // times the effective particles that are 
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
   const Eigen::Index count = log_weight.size();
   if (count == 0) return {};
-  const double largest = log_weight.maxCoeff();
-  if (log_weight.isNaN().any() || !std::isfinite(largest)) {
-    return Eigen::ArrayXd::Constant(count, 1.0 / static_cast<double>(count));
-  }
-  const Eigen::ArrayXd weights = (log_weight - largest).exp();
-  return weights / weights.sum();
+  Eigen::ArrayXd weights = (log_weight - log_weight.maxCoeff()).exp();
+  const double sum = weights.sum();
+  // one that is no number, an infinite one or only zeros make the sum none either
+  if (!std::isfinite(sum)) return Eigen::ArrayXd::Constant(count, 1.0 / static_cast<double>(count));
+  weights /= sum;
+  return weights;
 }
 
 double effectiveSize(const Eigen::ArrayXd& weights) {
