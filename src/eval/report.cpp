@@ -40,8 +40,7 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["heading_rmse_deg"] = error(&ErrorMetrics::heading_rmse_deg);
   json["final_error_m"] = error(&ErrorMetrics::final_error_m);
   json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
-  json["converged_at_s"] =
-      has_converged ? nlohmann::json(*metrics.errors->converged_at_s) : null;
+  json["converged_at_s"] = has_converged ? nlohmann::json(*metrics.errors->converged_at_s) : null;
   json["lost_share"] = error(&ErrorMetrics::lost_share);
   json["misled_share"] = error(&ErrorMetrics::misled_share);
   json["tracking_at_s"] = metrics.errors && metrics.errors->tracking_at_s
