@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "particle_filter.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-/// A square root of a covariance that may be singular; what is not finite or negative counts as 0.
-Eigen::Matrix3d squareRoot(const Eigen::Matrix3d& covariance) {
-  if (!covariance.allFinite()) return Eigen::Matrix3d::Zero();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
 
 /// Mean distance of particles from their mean, m.
 double spreadOf(const Particles& particles, const Eigen::ArrayXd& weights) {
@@ -40,7 +33,7 @@ void ParticleFilter::reset(const Prior& prior) {
     particles_ = *cloud;
     particles_.log_weight = normalisedWeights(cloud->log_weight).log();
   } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
-    draw(*gaussian);
+    particles_ = drawCloud(*gaussian, parts_.size->initial(), rng_);
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
@@ -49,16 +42,6 @@ void ParticleFilter::reset(const Prior& prior) {
   parts_.size->observe(particles_);  // else the size would be that of the belief before
   parts_.exploration->reset();
   updates_since_resampling_ = 0;
-}
-
-void ParticleFilter::draw(const Gaussian2& gaussian) {
-  particles_ = Particles(parts_.size->initial());
-  const Eigen::Matrix3d root = squareRoot(gaussian.covariance);
-  for (Eigen::Index i = 0; i < particles_.size(); ++i) {
-    const Eigen::Vector3d d = root * Eigen::Vector3d(rng_.normal(), rng_.normal(), rng_.normal());
-    const Pose2& mean = gaussian.mean;
-    particles_.setPose(i, {mean.x + d.x(), mean.y + d.y(), wrapAngle(mean.theta + d.z())});
-  }
 }
 
 void ParticleFilter::drawElsewhere(Eigen::Index count) {

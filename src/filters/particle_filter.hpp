@@ -53,7 +53,6 @@ class ParticleFilter : public Filter {
   const Particles& hypotheses() const override { return particles_; }
 
  private:
-  void draw(const Gaussian2& gaussian);
   void drawElsewhere(Eigen::Index count);
 
   /// The particles' weights after the observations, normalised.

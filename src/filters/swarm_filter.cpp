@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
@@ -21,17 +22,11 @@ constexpr double kCovered = 0.7;       // share of beams
 constexpr int kScansPerSpread = 3;     // while nothing is found elsewhere
 constexpr double kHopeless = 0.6;      // share of the worst cost that tells nothing
 
-/// Symmetric, finite, without negative eigenvalues, and a root of it.
-struct Covariance {
-  explicit Covariance(const Eigen::Matrix3d& given)
-      : matrix(Eigen::Matrix3d::Zero()), root(Eigen::Matrix3d::Zero()) {
-    if (!given.allFinite()) return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (given + given.transpose()));
-    root = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-    matrix = root * root.transpose();
-  }
-  Eigen::Matrix3d matrix, root;
-};
+/// Symmetric, finite, without negative eigenvalues.
+Eigen::Matrix3d mended(const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix3d root = squareRoot(covariance);
+  return root * root.transpose();
+}
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
   return {T_map_base, covariance, {{T_map_base, covariance, 1.0}}};
@@ -63,25 +58,13 @@ void SwarmFilter::reset(const Prior& prior) {
     estimate_ = summarize(bats_, bats_.log_weight.exp());
     is_undecided_ = hasSecondPlace(estimate_);
   } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
-    const Covariance covariance(gaussian->covariance);
-    estimate_ = oneMode(gaussian->mean, covariance.matrix);
-    draw({gaussian->mean, covariance.matrix}, options_.swarm_size);
+    estimate_ = oneMode(gaussian->mean, mended(gaussian->covariance));
+    bats_ = drawCloud({gaussian->mean, estimate_.covariance}, options_.swarm_size, rng_);
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
     drawElsewhere(0.0);
     estimate_ = summarize(bats_, normalisedWeights(bats_.log_weight));
-  }
-}
-
-void SwarmFilter::draw(const Gaussian2& gaussian, Eigen::Index count) {
-  bats_ = Particles(count);
-  const Covariance covariance(gaussian.covariance);
-  const Pose2& mean = gaussian.mean;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Vector3d d =
-        covariance.root * Eigen::Vector3d(rng_.normal(), rng_.normal(), rng_.normal());
-    bats_.setPose(i, {mean.x + d.x(), mean.y + d.y(), wrapAngle(mean.theta + d.z())});
   }
 }
 
@@ -155,7 +138,7 @@ void SwarmFilter::fixHere(const Observations& observations) {
     Eigen::Matrix3d covariance = estimate_.covariance;
     covariance.diagonal() +=
         Eigen::Vector3d(kCloudXy * kCloudXy, kCloudXy * kCloudXy, kCloudTheta * kCloudTheta);
-    draw({estimate_.T_map_base, covariance}, options_.swarm_size);
+    bats_ = drawCloud({estimate_.T_map_base, covariance}, options_.swarm_size, rng_);
   }
   const SwarmFix fix = parts_.fixer->fix(bats_, is_undecided_, *parts_.move, observations, rng_);
   if (fix.cost <= options_.swarm_explained) {
@@ -221,7 +204,7 @@ void SwarmFilter::take(const SwarmFix& fix, bool is_fused) {
   const Pose2 pose{odometry.x + step.x(), odometry.y + step.y(),
                    wrapAngle(odometry.theta + step.z())};
   if (!isFinite(pose)) return;
-  estimate_ = oneMode(pose, Covariance(P - K * P).matrix);
+  estimate_ = oneMode(pose, mended(P - K * P));
 }
 
 }  // namespace adaptive_localization

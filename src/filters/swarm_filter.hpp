@@ -69,7 +69,6 @@ class SwarmFilter : public Filter {
   Particles leaders() const override { return leaders_; }
 
  private:
-  void draw(const Gaussian2& gaussian, Eigen::Index count);
   void drawElsewhere(double share_here);
   void ride(const Pose2& motion);
   bool isFixDue(const Observations& observations) const;
