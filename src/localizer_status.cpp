@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the localizer makes of scans, filter and rivals: when to update, when to doubt, what to say.
+#include <cmath>
+
+#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/rng.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
+constexpr double kFoundFit = 0.5;  // above: it confirms it
+constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
+
+/// Particles around places, as many around each as its mass says.
+Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
+  Particles particles(count);
+  double upto = 0.0;
+  Eigen::Index i = 0;
+  for (const Mode& mode : modes) {
+    upto += mode.mass * static_cast<double>(count);
+    const Eigen::Vector3d deviation = mode.covariance.diagonal().cwiseSqrt();
+    for (; i < count && static_cast<double>(i) < upto; ++i) {
+      particles.setPose(i, {rng.normal(mode.T_map_base.x, deviation.x()),
+                            rng.normal(mode.T_map_base.y, deviation.y()),
+                            wrapAngle(rng.normal(mode.T_map_base.theta, deviation.z()))});
+    }
+  }
+  for (; i > 0 && i < count; ++i) particles.setPose(i, particles.pose(0));  // masses rounded down
+  return particles;
+}
+
+}  // namespace
+
+std::string toText(Status status) {
+  switch (status) {
+    case Status::kGlobalizing:
+      return "globalizing";
+    case Status::kTracking:
+      return "tracking";
+    case Status::kAmbiguous:
+      return "ambiguous";
+    case Status::kLost:
+      return "lost";
+    default:
+      return "uninitialised";
+  }
+}
+
+/// A scan that contradicts the map opens it too: a robot that was carried away stands still.
+bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
+  if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
+  if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
+  return observations.scan.hits() > 0 &&
+         confidence_->fitOf(last_.estimate.T_map_base * motion, observations.scan) < kLostFit;
+}
+
+/// A robot that was known to be somewhere is there until that place is ruled out and another one,
+/// that explains the scan well, is likelier than all others: what a filter makes of a blocked laser
+/// is no reason to jump.
+bool Localizer::isCorrection(const Pose2& T_map_base_by_odometry) const {
+  constexpr double kSmall = 0.1;      // m, rad
+  constexpr double kRuledOut = 0.05;  // mass
+  constexpr double kLikely = 0.5;     // mass
+  constexpr double kWell = 0.1;       // m
+  if (!converged_ || last_.status == Status::kTracking) return true;
+  if (last_.status != Status::kAmbiguous) return false;
+  const Pose2 moved = between(T_map_base_by_odometry, last_.estimate.T_map_base);
+  if (std::hypot(moved.x, moved.y) < kSmall && std::abs(moved.theta) < kSmall) return true;
+  return rivals_->leastError() < kWell && rivals_->shareOf(T_map_base_by_odometry) < kRuledOut &&
+         rivals_->shareOf(last_.estimate.T_map_base) > kLikely;
+}
+
+/// Moves the filter to the places that are left, once they rule out its own.
+void Localizer::relocalize() {
+  if (!setup_.options.relocalize || rivals_->contradictions() < kLostScans) return;
+  constexpr Eigen::Index kParticles = 2000;
+  Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++relocalizations_);
+  filter_->reset(Prior(drawFrom(rivals_->modes(), kParticles, rng)));
+  last_.estimate = filter_->estimate();
+}
+
+/// Where scans contradict the map, or the filter jumps, other places are worth a thought.
+bool Localizer::isDoubtful(const Pose2& T_map_base_expected) const {
+  const bool jumped = !areSamePlace(T_map_base_expected, last_.estimate.T_map_base);
+  const bool had_place = converged_ || from_anywhere_;  // by scans, not by an initial pose's word
+  return confidence_->contradictions() >= kLostScans || (had_place && jumped);
+}
+
+Status Localizer::judge() const {
+  if (!rivals_->isSettled()) {
+    const bool fits = confidence_->latestFit() >= kFoundFit;
+    if (fits && rivals_->modes().size() > 1) return Status::kAmbiguous;
+    return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;
+  }
+  const bool was_lost = last_.status == Status::kLost || !converged_;
+  const double fit = was_lost ? confidence_->latestFit() : confidence_->fit();
+  const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);
+  if (confidence_->isCompact() && confidence_->isAmbiguous()) return Status::kAmbiguous;
+  if (confidence_->isCompact() && fits) return Status::kTracking;
+  return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;
+}
+
+}  // namespace adaptive_localization
