@@ -6,7 +6,7 @@
 #include <string>
 
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/floor_plan.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 4) {

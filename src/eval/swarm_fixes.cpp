@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "adaptive_localization/eval/metrics.hpp"
-#include "adaptive_localization/sim/floor_plan.hpp"
 #include "adaptive_localization/sim/free_space.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/sim/rasterize.hpp"
+
 #include <cmath>
 #include <stdexcept>
-
-#include "adaptive_localization/sim/floor_plan.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/sim/floor_plan.hpp"
 #include "adaptive_localization/sim/free_space.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "measure.hpp"
 #include "plain_energies.hpp"
 #include "toy_building.hpp"

@@ -5,7 +5,7 @@
 
 #include "adaptive_localization/eval/experiment.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/floor_plan.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

@@ -7,7 +7,7 @@
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
-#include "adaptive_localization/sim/floor_plan.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"
 #include "support/toy_world.hpp"
 

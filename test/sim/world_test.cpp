@@ -7,6 +7,7 @@
 
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/segment_index.hpp"
 #include "test_worlds.hpp"
 

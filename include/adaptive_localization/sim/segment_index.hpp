@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adaptive_localization/map/lattice.hpp"
-#include "adaptive_localization/sim/polygon.hpp"
+#include "adaptive_localization/map/polygon.hpp"
 
 namespace adaptive_localization {
 

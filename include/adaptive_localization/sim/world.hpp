@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/sim/floor_plan.hpp"
+#include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 

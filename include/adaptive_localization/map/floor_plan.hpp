@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/sim/polygon.hpp"
+#include "adaptive_localization/map/polygon.hpp"
+#include "adaptive_localization/pose2.hpp"
 
 namespace adaptive_localization {
 
@@ -34,11 +34,8 @@ struct FloorPlan {
 /// Throws std::invalid_argument naming file, key and what was expected.
 FloorPlan loadFloorPlan(const std::string& yaml_file);
 
-/// The map a perfect survey would make: a cell is solid if its centre is (or if a wall's centre
-/// line crosses it, so that no wall is lost in a coarse grid), occupied if it is solid and touches
-/// a free cell, unknown if it is solid and does not. Furniture is left out. Surfaces are within
-/// half a cell of the plan's. The lattice is the outline's bounding box and `margin` cells around
-/// it.
-OccupancyGrid rasterize(const FloorPlan& plan, double resolution, int margin = 5);
+/// The sides that a laser sees: those of the outline, the walls and the solids, but not what lies
+/// within another of them. Free space is on the left of a -> b. Furniture is left out, as in a map.
+std::vector<Segment> surfacesOf(const FloorPlan& plan);
 
 }  // namespace adaptive_localization

@@ -1,78 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/floor_plan.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 
 #include "adaptive_localization/map/map_io.hpp"
 #include "test_worlds.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-using testing::HasSubstr;
-
-FloorPlan load(const std::string& text) {
-  const std::string file = testing::TempDir() + "floor_plan_test.yaml";
-  std::ofstream(file) << text;
-  return loadFloorPlan(file);
-}
-
-std::string errorOf(const std::string& text) {
-  try {
-    load(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-const std::string kOutline = "outline: [[0, 0], [4, 0], [4, 3]]\n";
-
-TEST(FloorPlan, ReadsEveryKey) {
-  const FloorPlan plan =
-      load(kOutline + "wall_thickness: 0.2\nwalls: [[[1, 0], [1, 1], [2, 1]]]\n" +
-           "solids: [[[3, 1], [3.5, 1], [3, 1.5]]]\nfurniture: [[[0, 0], [1, 0], [0, 1]]]\n" +
-           "route: [[1, 1], [2, 2]]\nstart: [1, 2, 3]\n");
-  EXPECT_EQ(plan.outline.size(), 3U);
-  EXPECT_EQ(plan.wall_thickness, 0.2);
-  ASSERT_EQ(plan.walls.size(), 2U);
-  EXPECT_EQ(plan.walls[1].b, Eigen::Vector2d(2, 1));
-  EXPECT_EQ(plan.solids.size(), 1U);
-  EXPECT_EQ(plan.furniture.size(), 1U);
-  EXPECT_EQ(plan.route.size(), 2U);
-  ASSERT_TRUE(plan.start.has_value());
-  EXPECT_EQ(plan.start->theta, 3.0);
-}
-
-TEST(FloorPlan, NamesTheKeyThatIsWrong) {
-  EXPECT_THAT(errorOf("walls: []"), HasSubstr("'outline'"));
-  EXPECT_THAT(errorOf("outline: [[0, 0], [1, 0]]"), HasSubstr("at least 3 points"));
-  EXPECT_THAT(errorOf("outline: [[0, 0], [1, 0], [.nan, 1]]"), HasSubstr("'outline'"));
-  EXPECT_THAT(errorOf("outline: 7"), HasSubstr("'outline'"));
-  EXPECT_THAT(errorOf(kOutline + "walls: [[[0, 0]]]"), HasSubstr("'walls'"));
-  EXPECT_THAT(errorOf(kOutline + "walls: [[[0, 0], [0, 0]]]"), HasSubstr("'walls'"));
-  EXPECT_THAT(errorOf(kOutline + "wall_thickness: thick"), HasSubstr("'wall_thickness'"));
-  EXPECT_THAT(errorOf(kOutline + "solids: 3"), HasSubstr("'solids'"));
-  EXPECT_THAT(errorOf(kOutline + "route: [1, 2]"), HasSubstr("'route'"));
-  EXPECT_THAT(errorOf(kOutline + "start: [1, 2]"), HasSubstr("'start'"));
-  EXPECT_THAT(errorOf("["), HasSubstr("floor_plan_test.yaml"));
-}
-
-TEST(FloorPlan, DamagedFilesAreRefusedOrReadButNeverCrash) {
-  std::ostringstream original;
-  original << std::ifstream(worldFile("maze")).rdbuf();
-  Rng rng(5);
-  int refused = 0;
-  for (int round = 0; round < 300; ++round) {
-    std::string text = original.str();
-    for (int i = 0; i < 3; ++i) text[rng.below(text.size())] = static_cast<char>(rng.below(128));
-    if (errorOf(text) != "no error") ++refused;
-  }
-  EXPECT_GT(refused, 30);
-}
 
 TEST(Rasterize, KnowsFreeOccupiedAndUnknownInTheHall) {
   const OccupancyGrid grid = rasterize(hall(), 0.05);

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/floor_plan.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "adaptive_localization/rng.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::HasSubstr;
+
+FloorPlan load(const std::string& text) {
+  const std::string file = testing::TempDir() + "floor_plan_test.yaml";
+  std::ofstream(file) << text;
+  return loadFloorPlan(file);
+}
+
+std::string errorOf(const std::string& text) {
+  try {
+    load(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const std::string kOutline = "outline: [[0, 0], [4, 0], [4, 3]]\n";
+
+TEST(FloorPlan, ReadsEveryKey) {
+  const FloorPlan plan =
+      load(kOutline + "wall_thickness: 0.2\nwalls: [[[1, 0], [1, 1], [2, 1]]]\n" +
+           "solids: [[[3, 1], [3.5, 1], [3, 1.5]]]\nfurniture: [[[0, 0], [1, 0], [0, 1]]]\n" +
+           "route: [[1, 1], [2, 2]]\nstart: [1, 2, 3]\n");
+  EXPECT_EQ(plan.outline.size(), 3U);
+  EXPECT_EQ(plan.wall_thickness, 0.2);
+  ASSERT_EQ(plan.walls.size(), 2U);
+  EXPECT_EQ(plan.walls[1].b, Eigen::Vector2d(2, 1));
+  EXPECT_EQ(plan.solids.size(), 1U);
+  EXPECT_EQ(plan.furniture.size(), 1U);
+  EXPECT_EQ(plan.route.size(), 2U);
+  ASSERT_TRUE(plan.start.has_value());
+  EXPECT_EQ(plan.start->theta, 3.0);
+}
+
+TEST(FloorPlan, NamesTheKeyThatIsWrong) {
+  EXPECT_THAT(errorOf("walls: []"), HasSubstr("'outline'"));
+  EXPECT_THAT(errorOf("outline: [[0, 0], [1, 0]]"), HasSubstr("at least 3 points"));
+  EXPECT_THAT(errorOf("outline: [[0, 0], [1, 0], [.nan, 1]]"), HasSubstr("'outline'"));
+  EXPECT_THAT(errorOf("outline: 7"), HasSubstr("'outline'"));
+  EXPECT_THAT(errorOf(kOutline + "walls: [[[0, 0]]]"), HasSubstr("'walls'"));
+  EXPECT_THAT(errorOf(kOutline + "walls: [[[0, 0], [0, 0]]]"), HasSubstr("'walls'"));
+  EXPECT_THAT(errorOf(kOutline + "wall_thickness: thick"), HasSubstr("'wall_thickness'"));
+  EXPECT_THAT(errorOf(kOutline + "solids: 3"), HasSubstr("'solids'"));
+  EXPECT_THAT(errorOf(kOutline + "route: [1, 2]"), HasSubstr("'route'"));
+  EXPECT_THAT(errorOf(kOutline + "start: [1, 2]"), HasSubstr("'start'"));
+  EXPECT_THAT(errorOf("["), HasSubstr("floor_plan_test.yaml"));
+}
+
+TEST(FloorPlan, DamagedFilesAreRefusedOrReadButNeverCrash) {
+  std::ostringstream original;
+  original << std::ifstream(SOURCE_DIR "/maps/maze/world.yaml").rdbuf();
+  Rng rng(5);
+  int refused = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::string text = original.str();
+    for (int i = 0; i < 3; ++i) text[rng.below(text.size())] = static_cast<char>(rng.below(128));
+    if (errorOf(text) != "no error") ++refused;
+  }
+  EXPECT_GT(refused, 30);
+}
+
+const FloorPlan kRoom = [] {
+  FloorPlan plan;
+  plan.outline = {{0, 0}, {0, 4}, {6, 4}, {6, 0}};  // clockwise
+  return plan;
+}();
+
+double lengthOf(const std::vector<Segment>& surfaces) {
+  double sum = 0.0;
+  for (const auto& surface : surfaces) sum += (surface.b - surface.a).norm();
+  return sum;
+}
+
+/// The surface through a point, seen from a free place on its left.
+MATCHER_P2(HasSurface, through, free, "") {
+  return std::any_of(arg.begin(), arg.end(), [&](const Segment& surface) {
+    const Eigen::Vector2d along = surface.b - surface.a;
+    const Eigen::Vector2d across = free - through;
+    return distance(surface, through) < 1e-9 && along.x() * across.y() > along.y() * across.x();
+  });
+}
+
+using Point = Eigen::Vector2d;
+
+TEST(SurfacesOf, ARoomAreItsWallsSeenFromWithin) {
+  const auto surfaces = surfacesOf(kRoom);
+  EXPECT_EQ(surfaces.size(), 4U);
+  EXPECT_NEAR(lengthOf(surfaces), 20.0, 1e-9);
+  for (const Point& middle : {Point(0, 2), Point(3, 4), Point(6, 2), Point(3, 0)}) {
+    EXPECT_THAT(surfaces, HasSurface(middle, Point(3, 2)));
+  }
+}
+
+TEST(SurfacesOf, AWallThatMeetsTheOutlineHidesPartOfIt) {
+  FloorPlan plan = kRoom;
+  plan.wall_thickness = 0.2;
+  plan.walls = {{{3, 0}, {3, 2}}};
+  const auto surfaces = surfacesOf(plan);
+  // 20 m round the room less the 0.2 m under the wall, two faces of 2.1 m and an end of 0.2 m.
+  EXPECT_NEAR(lengthOf(surfaces), 20.0 - 0.2 + 2 * 2.1 + 0.2, 1e-6);
+  EXPECT_EQ(surfaces.size(), 8U);
+  EXPECT_THAT(surfaces, HasSurface(Point(2.9, 1), Point(1, 1)));
+  EXPECT_THAT(surfaces, HasSurface(Point(3.1, 1), Point(5, 1)));
+  EXPECT_THAT(surfaces, HasSurface(Point(3, 2.1), Point(3, 3)));
+}
+
+TEST(SurfacesOf, NothingIsSeenBetweenSolidsThatTouch) {
+  FloorPlan plan = kRoom;
+  plan.solids = {{{1, 1}, {2, 1}, {2, 2}, {1, 2}},
+                 {{2, 1}, {3, 1}, {3, 2}, {2, 2}},
+                 {{1.5, 1}, {2.5, 1}, {2.5, 2}, {1.5, 2}},
+                 {{4, 1}, {9, 1}, {9, 2}, {4, 2}}};  // reaches out of the room
+  const auto surfaces = surfacesOf(plan);
+  EXPECT_NEAR(lengthOf(surfaces), 20.0 + 6.0 + (2.0 + 2.0 + 1.0) - 1.0, 1e-6);
+  EXPECT_EQ(surfaces.size(), 4U + 1U + 4U + 3U);
+}
+
+TEST(SurfacesOf, ABendsInsideIsHidden) {
+  FloorPlan plan = kRoom;
+  plan.wall_thickness = 0.2;
+  plan.walls = {{{2, 1}, {4, 1}}, {{4, 1}, {4, 3}}};
+  EXPECT_NEAR(lengthOf(surfacesOf(plan)), 20.0 + 2 * (2.2 + 2.2), 1e-6);
+  EXPECT_EQ(surfacesOf(plan).size(), 4U + 6U);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
