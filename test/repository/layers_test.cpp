@@ -78,17 +78,19 @@ TEST(Layers, TheSourcesAreRead) {
 
 TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {
   const std::map<std::string, std::set<std::string>> below{
-      {"top", {"top", "map", "ser", "filters"}},
+      {"top", {"top", "map", "ser", "match", "filters"}},
       {"map", {"top", "map"}},
       {"motion", {"top", "map", "motion"}},
       {"observation", {"top", "map", "observation"}},
       {"particle", {"top", "map", "particle"}},
       {"ser", {"top", "map", "particle", "ser"}},
       {"swarm", {"top", "map", "ser", "swarm"}},
-      {"filters", {"top", "map", "motion", "observation", "particle", "ser", "swarm", "filters"}},
+      {"match", {"top", "map", "match"}},
+      {"filters",
+       {"top", "map", "motion", "observation", "particle", "ser", "swarm", "match", "filters"}},
       {"sim", {"top", "map", "sim"}},
       {"eval", {"top", "map", "ser", "swarm", "sim", "eval"}},
-      {"ros", {"top", "map", "ser", "sim", "ros"}},
+      {"ros", {"top", "map", "ser", "match", "sim", "ros"}},
       {"apps", {"top", "map", "ser", "sim", "eval", "ros"}}};
   std::vector<std::string> wrong;
   for (const auto& include : includes()) {
@@ -109,7 +111,8 @@ TEST(Layers, ModelsDoNotKnowWhoUsesThem) {
   for (const auto& include : includes()) {
     const bool is_model = include.layer == "map" || include.layer == "motion" ||
                           include.layer == "observation" || include.layer == "particle" ||
-                          include.layer == "ser" || include.layer == "swarm";
+                          include.layer == "ser" || include.layer == "swarm" ||
+                          include.layer == "match";
     if (is_model && users.count(include.header)) wrong.push_back(nameOf(include));
   }
   EXPECT_THAT(wrong, IsEmpty());

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "adaptive_localization/map/polygon.hpp"
+#include "adaptive_localization/match/line_features.hpp"
+#include "adaptive_localization/pose2.hpp"
+
+namespace adaptive_localization {
+
+/// A wall's face, cos(alpha) x + sin(alpha) y = rho in map: alpha points into the wall, so rho may
+/// be negative, and the two faces of a wall are half a turn apart.
+struct MapLine {
+  double rho{0.0};    // m
+  double alpha{0.0};  // rad
+  Segment segment;    // free space on the left of a -> b
+};
+
+/// The lines of a map: landmarks that a scan's lines are looked for among.
+class LineMap {
+ public:
+  /// Segments with free space on the left of a -> b, as surfacesOf() gives them; those without
+  /// length are left out.
+  explicit LineMap(const std::vector<Segment>& surfaces);
+
+  const std::vector<MapLine>& lines() const { return lines_; }
+
+ private:
+  std::vector<MapLine> lines_;
+};
+
+/// A line of the scan recognised as one of the map: a measurement z = (rho, alpha) in base of
+///
+///     h(x, y, theta) = (rho_m - x cos(alpha_m) - y sin(alpha_m), alpha_m - theta),
+///
+/// linear in the pose: H = [[-cos(alpha_m), -sin(alpha_m), 0], [0, 0, -1]], R the covariance of z.
+struct LineMatch {
+  Eigen::Vector2d innovation;  // z - h(pose that it was matched from), m and rad, wrapped
+  Eigen::Matrix<double, 2, 3> H;
+  Eigen::Matrix2d R;
+  int scan_line{0}, map_line{0};  // indices
+
+  /// z - h of another pose, for corrections made one by one.
+  Eigen::Vector2d innovationAt(const Pose2& T_map_base) const;
+
+  Eigen::Vector2d z;
+  MapLine landmark;
+};
+
+/// Looks for each of a scan's lines among those of the map, from a Gaussian belief of the pose. A
+/// line is matched with the one of least nu^T (H P H^T + R)^-1 nu, if that is within the gate, if
+/// the line lies along the map's segment (but for twice the belief's deviation that way), and if no
+/// other of the map is nearly as near. As alpha points into the wall, a face is never matched from
+/// behind. A belief that is not finite matches nothing.
+std::vector<LineMatch> matchLines(const Pose2& T_map_base, const Eigen::Matrix3d& covariance,
+                                  const std::vector<ScanLine>& lines, const LineMap& map,
+                                  const LineOptions& options);
+
+}  // namespace adaptive_localization

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/match/surface_map.hpp"
+#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/scan.hpp"
+
+namespace adaptive_localization {
+
+struct MatchPair;
+using MatchPairs = std::vector<MatchPair>;
+
+struct MatchOptions {
+  std::string match_metric{"line"};
+  std::string match_outliers{"kernel"};
+  int match_max_iterations{15};
+  double match_reach{0.5};
+  double match_reach_end{0.15};
+  double match_kernel{0.05};
+  double match_keep{0.0};
+  double match_range_std{0.03};
+  double match_information{1.0};
+  double match_least_inliers{0.4};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("match_metric", match_metric, Choices{"line", "point"},
+           "What a scan match makes small: distances of hits from lines along the walls "
+           "(point-to-line), or from the nearest points of the map (point-to-point).");
+    option("match_outliers", match_outliers, Choices{"none", "kernel", "trim", "ransac"},
+           "How a scan match finds out which hits are not of the map's walls: weights that fall "
+           "with the distance (Geman-McClure), the best share alone, or random sampling and then "
+           "weights.");
+    option("match_max_iterations", match_max_iterations, Range{1, 1000}, "",
+           "Iterations of a scan match at the most.");
+    option("match_reach", match_reach, kPositive, "m",
+           "A hit farther from the map's walls than this is not matched, in the first iteration.");
+    option("match_reach_end", match_reach_end, kPositive, "m",
+           "The same in the last iterations; it shrinks by three tenths each time.");
+    option("match_kernel", match_kernel, kPositive, "m",
+           "Distance at which a hit counts a quarter, in the last iterations (kernel, ransac).");
+    option("match_keep", match_keep, kProbability, "",
+           "Share of the hits that is kept (trim); 0: found for each scan.");
+    option("match_range_std", match_range_std, kPositive, "m",
+           "Standard deviation of a hit from the map's wall: noise of the laser and of the map.");
+    option("match_information", match_information, Range{1e-6, 1}, "",
+           "What a hit is worth when a match says how sure it is; less than 1 as neighbouring hits "
+           "share the map's errors.");
+    option("match_least_inliers", match_least_inliers, kProbability, "",
+           "A scan of which a smaller share fits is not matched: too much is not in the map.");
+  }
+};
+
+/// Why a match tells nothing.
+enum class MatchFault { kNone, kFewHits, kOutliers, kSingular, kJump };
+std::string toText(MatchFault fault);
+
+/// A scan aligned with the map: the pose, and how sure the scan makes it. Each row h of H is a
+/// direction over (x, y, theta) of which the scan tells something: h . (found - true pose) has that
+/// row's variance, and rows do not depend on each other. Fewer than three rows along a corridor.
+struct Match {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+
+  Pose2 T_map_base;
+  Rows H{0, 3};
+  Vector variance{0};
+  double mean_distance{0.0};  // m, of the hits that fit
+  double inlier_ratio{0.0};   // share of the hits that fit
+  int iterations{0};
+  std::vector<std::uint8_t> fits;  // of each hit of the scan
+  MatchFault fault{MatchFault::kNone};
+
+  bool isGood() const { return fault == MatchFault::kNone; }
+
+  /// H^T diag(1 / variance) H; singular where there are fewer than three rows.
+  Eigen::Matrix3d information() const;
+};
+
+/// Aligns scans with the map, from a pose near the right one (Besl and McKay 1992). With R, t of
+/// the pose, p_i a hit and (q_i, n_i) the surface nearest to it:
+///
+///     line     min sum_i w_i (n_i . (R p_i + t - q_i))^2       Gauss-Newton (Censi 2008)
+///     point    min sum_i w_i |R p_i + t - q_i|^2               in closed form (Horn 1987)
+///
+/// Pairs are found anew in each iteration. A hit behind a wall that has one side only, beyond the
+/// wall's ends or out of reach is paired with nothing. Information is J^T W J / sigma^2, J the rows
+/// (n, n . dR p), sigma^2 the larger of match_range_std^2 and the hits' variance; where the
+/// eigenvalues say that hardly a hit tells of a direction, the pose is left as it was guessed along
+/// it, and the information is 0. The information is that of point-to-line for either metric:
+/// that of point-to-point would ignore that pairs change (Bonnabel et al. 2016).
+///
+/// Units m and rad, poses of base in map. Never throws, and never returns what is not finite, for
+/// whatever scan.
+class ScanMatcher {
+ public:
+  ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces);
+
+  Match match(const Pose2& guess, const Scan& scan) const;
+
+ private:
+  void align(const Scan& scan, Match& match) const;
+  void pairAt(const Pose2& T_map_base, const Scan& scan, double reach, MatchPairs& pairs) const;
+  void weigh(MatchPairs& pairs, int hits, double reach) const;
+  void rate(const Scan& scan, Match& match) const;
+
+  MatchOptions options_;
+  std::shared_ptr<const SurfaceMap> surfaces_;
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/map/polygon.hpp"
+
+namespace adaptive_localization {
+
+/// A piece of a wall as a laser sees it, in the map frame.
+struct Surface {
+  Eigen::Vector2f point;   // in the middle of it, m
+  Eigen::Vector2f normal;  // of length 1, to the free side
+  float half_length;       // m to both sides of the point
+  bool has_two_sides;      // free on both, a thin wall
+};
+
+/// The surface nearest to any point, by one look-up: a label per cell of the map.
+///
+/// From an occupancy grid: a line is fitted to the surface cells around each one (total least
+/// squares, weights falling with distance), which tells where the wall is to a fraction of a cell
+/// if it is straight; where the cells around make no line there is no surface. From line segments:
+/// the segments.
+class SurfaceMap {
+ public:
+  explicit SurfaceMap(const OccupancyGrid& grid);
+
+  /// Segments with the free side on the left of a -> b, looked up in the cells of a lattice;
+  /// those of no length are left out.
+  SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segments);
+
+  const Lattice& lattice() const { return lattice_; }
+
+  /// Null outside the lattice and where there is no surface at all.
+  const Surface* nearest(const Eigen::Vector2d& point_map) const {
+    const Cell cell = lattice_.cellAt(point_map);
+    if (labels_.empty() || !lattice_.contains(cell)) return nullptr;
+    const std::int32_t label = labels_[lattice_.index(cell)];
+    return label < 0 ? nullptr : &surfaces_[static_cast<std::size_t>(label)];
+  }
+
+  /// All of them.
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+ private:
+  void spread(std::vector<std::int32_t> seeds);
+
+  Lattice lattice_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::int32_t> labels_;  // index of the nearest surface, -1: none; row-major
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_kalman.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+
+#include "adaptive_localization/particle/gaussian_cloud.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+Eigen::Matrix3d symmetric(const Eigen::Matrix3d& matrix) {
+  return 0.5 * (matrix + matrix.transpose());
+}
+
+Eigen::LLT<PoseObservation::Square> innovationCovariance(const Eigen::Matrix3d& P,
+                                                         const PoseObservation& observation) {
+  const PoseObservation::Square S = observation.H * P * observation.H.transpose() + observation.R;
+  return S.llt();
+}
+
+}  // namespace
+
+PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed) {
+  const Pose2& z = observed.mean;
+  return {Eigen::Vector3d(z.x - T_map_base.x, z.y - T_map_base.y,
+                          wrapAngle(z.theta - T_map_base.theta)),
+          Eigen::Matrix3d::Identity(), observed.covariance};
+}
+
+void PoseKalman::reset(const Gaussian2& belief) {
+  const Eigen::Matrix3d root = squareRoot(belief.covariance);
+  belief_ = {belief.mean, symmetric(root * root.transpose())};
+}
+
+void PoseKalman::predict(const Pose2& motion, const Eigen::Matrix3d& noise) {
+  const double c = std::cos(belief_.mean.theta);
+  const double s = std::sin(belief_.mean.theta);
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F(0, 2) = -s * motion.x - c * motion.y;
+  F(1, 2) = c * motion.x - s * motion.y;
+  Eigen::Matrix3d G = Eigen::Matrix3d::Identity();
+  G.topLeftCorner<2, 2>() << c, -s, s, c;
+  belief_.covariance =
+      symmetric(F * belief_.covariance * F.transpose() + G * noise * G.transpose());
+  belief_.mean = belief_.mean * motion;
+}
+
+double PoseKalman::distanceOf(const PoseObservation& observation) const {
+  const auto S = innovationCovariance(belief_.covariance, observation);
+  if (S.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+  return observation.innovation.dot(S.solve(observation.innovation));
+}
+
+bool PoseKalman::correct(const PoseObservation& observation) {
+  const Eigen::Matrix3d& P = belief_.covariance;
+  const auto S = innovationCovariance(P, observation);
+  if (S.info() != Eigen::Success) return false;
+  const PoseObservation::Rows gain_transposed = S.solve(observation.H * P);
+  const auto K = gain_transposed.transpose();
+  const Eigen::Vector3d step = K * observation.innovation;
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - K * observation.H;
+  const Eigen::Matrix3d covariance =
+      symmetric(rest * P * rest.transpose() + K * observation.R * K.transpose());
+  if (!step.allFinite() || !covariance.allFinite()) return false;
+  belief_.mean = {belief_.mean.x + step.x(), belief_.mean.y + step.y(),
+                  wrapAngle(belief_.mean.theta + step.z())};
+  belief_.covariance = covariance;
+  return true;
+}
+
+}  // namespace adaptive_localization

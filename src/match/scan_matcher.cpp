@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/match/scan_matcher.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "outliers.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr int kLeastHits = 10;          // of a scan that is matched
+constexpr double kLeastTelling = 4.0;   // hits that a direction needs
+constexpr double kTellingShare = 0.02;  // and as a share of all
+constexpr double kSmallStep = 1e-4;     // m: the end
+constexpr double kShrink = 0.7;         // of the reach, from one iteration to the next
+
+/// J^T W J and J^T W r, headings in metres at the end of a lever.
+struct NormalEquations {
+  Eigen::Matrix3d A{Eigen::Matrix3d::Zero()};
+  Eigen::Vector3d b{0.0, 0.0, 0.0};
+  double weight{0.0}, squares{0.0};
+
+  NormalEquations(const MatchPairs& pairs, double lever) {
+    for (const MatchPair& pair : pairs) {
+      Eigen::Vector3d row = pair.row();
+      row.z() /= lever;
+      A += pair.weight * row * row.transpose();
+      b += pair.weight * pair.residual * row;
+      weight += pair.weight;
+      squares += pair.weight * pair.residual * pair.residual;
+    }
+  }
+};
+
+/// The directions that hits tell of, as columns, and how many hits do.
+struct Directions {
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> columns{3, 0};
+  Match::Vector hits{0};
+
+  explicit Directions(const NormalEquations& normal) {
+    if (!normal.A.allFinite()) return;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal.A);
+    const double least = std::max(kLeastTelling, kTellingShare * normal.weight);
+    const auto count = (solver.eigenvalues().array() >= least).count();
+    columns = solver.eigenvectors().rightCols(count);
+    hits = solver.eigenvalues().tail(count);
+  }
+};
+
+/// Root mean square distance of the hits from base, at least a metre.
+double leverOf(const Scan& scan) {
+  const double mean = static_cast<double>((scan.x.square() + scan.y.square()).mean());
+  return std::isfinite(mean) ? std::max(1.0, std::sqrt(mean)) : 1.0;
+}
+
+/// Gauss-Newton, along the directions that hits tell of.
+Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever) {
+  const NormalEquations normal(pairs, lever);
+  const Directions telling(normal);
+  const Match::Vector along = (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
+  const Eigen::Vector3d step = telling.columns * along;
+  return {from.x - step.x(), from.y - step.y(), wrapAngle(from.theta - step.z() / lever)};
+}
+
+/// The motion that brings the hits to their points: centroids, and the angle of
+/// sum(p x q) and sum(p . q) about them (Horn 1987, in the plane).
+Pose2 stepToPoints(const Pose2& from, const MatchPairs& pairs) {
+  Eigen::Vector2d p_mean{0.0, 0.0}, q_mean{0.0, 0.0};
+  double weight = 0.0, cross = 0.0, dot = 0.0;
+  const Eigen::Vector2d base(from.x, from.y);
+  for (const MatchPair& pair : pairs) {
+    p_mean += pair.weight * pair.arm;
+    q_mean += pair.weight * (pair.target - base);
+    weight += pair.weight;
+  }
+  if (!(weight > 0.0)) return from;
+  p_mean /= weight;
+  q_mean /= weight;
+  for (const MatchPair& pair : pairs) {
+    const Eigen::Vector2d p = pair.arm - p_mean;
+    const Eigen::Vector2d q = pair.target - base - q_mean;
+    cross += pair.weight * (p.x() * q.y() - p.y() * q.x());
+    dot += pair.weight * p.dot(q);
+  }
+  const double turn = std::atan2(cross, dot);
+  const Eigen::Vector2d shift = base + q_mean - Pose2{0.0, 0.0, turn} * p_mean;
+  return {shift.x(), shift.y(), wrapAngle(from.theta + turn)};
+}
+
+double way(const Pose2& a, const Pose2& b, double lever) {
+  return distance(a, b) + lever * std::abs(wrapAngle(a.theta - b.theta));
+}
+
+}  // namespace
+
+std::string toText(MatchFault fault) {
+  switch (fault) {
+    case MatchFault::kFewHits:
+      return "too few hits";
+    case MatchFault::kOutliers:
+      return "too many hits are not of the map";
+    case MatchFault::kSingular:
+      return "the scan tells of no direction";
+    case MatchFault::kJump:
+      return "too far from where odometry says";
+    default:
+      return "none";
+  }
+}
+
+Eigen::Matrix3d Match::information() const {
+  return H.transpose() * variance.cwiseInverse().asDiagonal() * H;
+}
+
+ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces)
+    : options_(options), surfaces_(std::move(surfaces)) {}
+
+Match ScanMatcher::match(const Pose2& guess, const Scan& scan) const {
+  Match match;
+  match.T_map_base = guess;
+  match.fits.assign(static_cast<std::size_t>(scan.hits()), 0);
+  if (scan.hits() < kLeastHits || !isFinite(guess)) {
+    match.fault = MatchFault::kFewHits;
+    return match;
+  }
+  align(scan, match);
+  rate(scan, match);
+  return match;
+}
+
+void ScanMatcher::align(const Scan& scan, Match& match) const {
+  const double lever = leverOf(scan);
+  MatchPairs pairs;
+  double reach = options_.match_reach;
+  while (match.iterations < options_.match_max_iterations) {
+    pairAt(match.T_map_base, scan, reach, pairs);
+    weigh(pairs, scan.hits(), reach);
+    const Pose2 before = match.T_map_base;
+    match.T_map_base = options_.match_metric == "line" ? stepToLines(before, pairs, lever)
+                                                       : stepToPoints(before, pairs);
+    ++match.iterations;
+    const bool is_last_reach = reach <= options_.match_reach_end;
+    if (is_last_reach && way(before, match.T_map_base, lever) < kSmallStep) return;
+    reach = std::max(options_.match_reach_end, kShrink * reach);
+  }
+}
+
+void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach,
+                         MatchPairs& pairs) const {
+  pairs.clear();
+  const double c = std::cos(T_map_base.theta);
+  const double s = std::sin(T_map_base.theta);
+  const double ends = surfaces_->lattice().resolution();  // walls are not known better
+  const Eigen::Vector2d base(T_map_base.x, T_map_base.y);
+  const Eigen::Vector2d sensor = T_map_base * scan.position;
+  for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+    const double x = scan.x[i];
+    const double y = scan.y[i];
+    const Eigen::Vector2d arm(c * x - s * y, s * x + c * y);
+    const Surface* surface = surfaces_->nearest(base + arm);
+    if (!surface) continue;
+    const Eigen::Vector2d normal = surface->normal.cast<double>();
+    const Eigen::Vector2d tangent(-normal.y(), normal.x());
+    const Eigen::Vector2d middle = surface->point.cast<double>();
+    const Eigen::Vector2d off = base + arm - middle;
+    const double residual = normal.dot(off);
+    const double along = tangent.dot(off);
+    const double half = static_cast<double>(surface->half_length);
+    const bool is_behind = !surface->has_two_sides && normal.dot(sensor - middle) < 0.0;
+    if (!(std::abs(residual) < reach) || std::abs(along) > half + ends || is_behind) continue;
+    const Eigen::Vector2d target = middle + std::max(-half, std::min(along, half)) * tangent;
+    pairs.push_back({i, arm, normal, target, residual});
+  }
+}
+
+/// Outliers are the fewer the nearer the pose is: the kernel narrows with the reach.
+void ScanMatcher::weigh(MatchPairs& pairs, int hits, double reach) const {
+  constexpr double kKernels = 2.0;  // in a reach
+  const bool is_annealing = reach > options_.match_reach_end;
+  const double scale = std::max(options_.match_kernel, is_annealing ? reach / kKernels : 0.0);
+  if (options_.match_outliers == "trim") {
+    keepBest(pairs, hits, options_.match_keep, scale);
+  } else if (options_.match_outliers == "ransac" && is_annealing) {
+    keepConsensus(pairs, scale);
+  } else if (options_.match_outliers != "none") {
+    weighByKernel(pairs, scale);
+  }
+}
+
+/// What the match is worth where it ended.
+void ScanMatcher::rate(const Scan& scan, Match& match) const {
+  MatchPairs pairs;
+  pairAt(match.T_map_base, scan, options_.match_reach_end, pairs);
+  double sum = 0.0;
+  for (const MatchPair& pair : pairs) {
+    match.fits[static_cast<std::size_t>(pair.hit)] = 1;
+    sum += std::abs(pair.residual);
+  }
+  const auto count = static_cast<double>(pairs.size());
+  match.inlier_ratio = count / scan.hits();
+  match.mean_distance = pairs.empty() ? 0.0 : sum / count;
+  weigh(pairs, scan.hits(), options_.match_reach_end);
+  const double lever = leverOf(scan);
+  const NormalEquations normal(pairs, lever);
+  const Directions telling(normal);
+  const double least = options_.match_range_std * options_.match_range_std;
+  const double variance = std::max(least, normal.weight > 0 ? normal.squares / normal.weight : 0);
+  match.H = telling.columns.transpose();
+  match.H.col(2) *= lever;
+  match.variance = variance / options_.match_information * telling.hits.cwiseInverse();
+  if (match.inlier_ratio < options_.match_least_inliers)
+    match.fault = MatchFault::kOutliers;
+  else if (match.H.rows() == 0)
+    match.fault = MatchFault::kSingular;
+}
+
+}  // namespace adaptive_localization

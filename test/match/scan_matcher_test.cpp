@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/match/scan_matcher.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A room of 6 m by 4 m with a pillar of 1 m by 0.5 m, as lines, free space on the left.
+std::vector<Segment> roomLines() {
+  const std::vector<Eigen::Vector2d> room{{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+  const std::vector<Eigen::Vector2d> pillar{{4, 1}, {4, 1.5}, {5, 1.5}, {5, 1}};
+  std::vector<Segment> lines;
+  forEachSide(room, [&](const Segment& side) { lines.push_back(side); });
+  forEachSide(pillar, [&](const Segment& side) { lines.push_back(side); });
+  return lines;
+}
+
+std::vector<Segment> corridorLines() {
+  return {{{-50, 0}, {50, 0}}, {{50, 2}, {-50, 2}}};
+}
+
+std::shared_ptr<const SurfaceMap> surfacesOf(const std::vector<Segment>& lines) {
+  return std::make_shared<const SurfaceMap>(Lattice(140, 100, 0.05, {-0.5, -0.5, 0.0}), lines);
+}
+
+/// What a laser at base sees of lines, 181 beams in front of it.
+Scan scanAt(const Pose2& T_map_base, const std::vector<Segment>& lines, double noise = 0.0,
+            std::uint64_t seed = 1, double max_range = 8.0) {
+  Rng rng(seed);
+  std::vector<Eigen::Vector2d> hits;
+  for (int i = 0; i <= 180; ++i) {
+    const double bearing = (i - 90) * kPi / 180.0;
+    const Eigen::Vector2d direction(std::cos(T_map_base.theta + bearing),
+                                    std::sin(T_map_base.theta + bearing));
+    double range = std::numeric_limits<double>::infinity();
+    for (const Segment& line : lines) {
+      range = std::min(range, hit(line, {T_map_base.x, T_map_base.y}, direction));
+    }
+    if (!(range < max_range)) continue;
+    range += noise * rng.normal();
+    hits.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
+  }
+  return hitsAt(hits, max_range).scan;
+}
+
+MatchOptions with(const std::string& metric, const std::string& outliers = "kernel") {
+  MatchOptions options;
+  options.match_metric = metric;
+  options.match_outliers = outliers;
+  options.match_max_iterations = metric == "point" ? 60 : 15;
+  return options;
+}
+
+const Pose2 kTruth{2.0, 2.3, 0.4};
+
+class EveryOutlierRule : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryOutlierRule, FindsThePoseOfAScanWithoutNoise) {
+  const ScanMatcher matcher(with("line", GetParam()), surfacesOf(roomLines()));
+  const Scan scan = scanAt(kTruth, roomLines());
+  Rng rng(7);
+  for (int k = 0; k < 100; ++k) {
+    const Pose2 guess =
+        kTruth * Pose2{rng.uniform(-0.15, 0.15), rng.uniform(-0.15, 0.15), rng.uniform(-0.1, 0.1)};
+    const Match match = matcher.match(guess, scan);
+    ASSERT_TRUE(match.isGood()) << toText(match.fault);
+    ASSERT_THAT(match.T_map_base, PoseNear(kTruth, 2e-3, 1e-3)) << k;
+    ASSERT_EQ(match.H.rows(), 3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, EveryOutlierRule,
+                         testing::Values("none", "kernel", "trim", "ransac"));
+
+class EveryRobustRule : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryRobustRule, ForgivesFourTenthsOfTheBeams) {
+  const ScanMatcher matcher(with("line", GetParam()), surfacesOf(roomLines()));
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Scan scan = scanAt(kTruth, roomLines(), 0.01, seed);
+    Rng rng(100 + seed);
+    for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+      if (rng.uniform() >= 0.4) continue;
+      const auto share = static_cast<float>(rng.uniform(0.2, 0.95));
+      scan.x[i] *= share;
+      scan.y[i] *= share;
+    }
+    const Match match = matcher.match(kTruth * Pose2{0.05, -0.05, 0.04}, scan);
+    ASSERT_TRUE(match.isGood()) << toText(match.fault);
+    worst = std::max(worst, distance(match.T_map_base, kTruth));
+  }
+  EXPECT_LT(worst, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRobustRule, testing::Values("kernel", "trim", "ransac"));
+
+TEST(ScanMatcher, FindsARotatedCopyFromItsPoints) {
+  const ScanMatcher matcher(with("point", "none"), surfacesOf(roomLines()));
+  const Match match = matcher.match(kTruth * Pose2{0.02, -0.02, 0.02}, scanAt(kTruth, roomLines()));
+  EXPECT_THAT(match.T_map_base, PoseNear(kTruth, 5e-3, 2e-3));
+}
+
+TEST(ScanMatcher, NeedsFewerStepsToLinesThanToPoints) {
+  const Scan scan = scanAt(kTruth, roomLines());
+  const Pose2 guess = kTruth * Pose2{0.1, 0.1, 0.05};
+  const auto lines = ScanMatcher(with("line"), surfacesOf(roomLines())).match(guess, scan);
+  const auto points = ScanMatcher(with("point"), surfacesOf(roomLines())).match(guess, scan);
+  EXPECT_LE(lines.iterations, 8);
+  EXPECT_GT(points.iterations, 2 * lines.iterations);
+}
+
+TEST(ScanMatcher, LeavesThePoseAlongACorridorAsItWasGuessed) {
+  const auto surfaces = std::make_shared<const SurfaceMap>(
+      Lattice(400, 60, 0.05, {-10.0, -0.5, 0.0}), corridorLines());
+  const ScanMatcher matcher(with("line"), surfaces);
+  const Pose2 truth{0.0, 1.1, 0.1};
+  const Match match = matcher.match({0.3, 1.0, 0.05}, scanAt(truth, corridorLines(), 0.01, 3));
+  ASSERT_TRUE(match.isGood());
+  EXPECT_EQ(match.H.rows(), 2);
+  EXPECT_NEAR(match.T_map_base.x, 0.3, 1e-6);
+  EXPECT_NEAR(match.T_map_base.y, truth.y, 0.005);
+  EXPECT_NEAR(match.T_map_base.theta, truth.theta, 0.003);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(match.information());
+  EXPECT_NEAR(solver.eigenvalues()[0], 0.0, 1e-6 * solver.eigenvalues()[2]);
+}
+
+/// Errors of 400 noisy scans, normalised by what the matches say: chi-square with 3 degrees of
+/// freedom has mean 3 and, over 400, a standard deviation of 0.12.
+TEST(ScanMatcher, KnowsHowSureItIs) {
+  MatchOptions options = with("line");
+  options.match_range_std = 0.02;
+  options.match_kernel = 0.2;
+  const ScanMatcher matcher(options, surfacesOf(roomLines()));
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const Match match =
+        matcher.match(kTruth * Pose2{0.02, 0.02, 0.01}, scanAt(kTruth, roomLines(), 0.02, seed));
+    const Pose2& found = match.T_map_base;
+    const Eigen::Vector3d error(found.x - kTruth.x, found.y - kTruth.y,
+                                wrapAngle(found.theta - kTruth.theta));
+    sum += error.dot(match.information() * error);
+  }
+  EXPECT_NEAR(sum / 400, 3.0, 0.75);
+}
+
+/// Gauss-Newton's rows against differences: the information of J is that of the distances.
+TEST(ScanMatcher, InformationIsThatOfTheDistances) {
+  MatchOptions options = with("line", "none");
+  options.match_range_std = 0.05;
+  const auto lines = roomLines();
+  const ScanMatcher matcher(options, surfacesOf(lines));
+  const Scan scan = scanAt(kTruth, lines);
+  const Match match = matcher.match(kTruth, scan);
+  Eigen::Matrix3d numeric = Eigen::Matrix3d::Zero();
+  const auto surfaces = surfacesOf(lines);
+  const auto residual = [&](const Surface& surface, const Pose2& pose, Eigen::Index i) {
+    const Eigen::Vector2d point = pose * Eigen::Vector2d(scan.x[i], scan.y[i]);
+    return surface.normal.cast<double>().dot(point - surface.point.cast<double>());
+  };
+  const double h = 1e-5;
+  for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+    if (!match.fits[static_cast<std::size_t>(i)]) continue;
+    const Surface& surface =
+        *surfaces->nearest(match.T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]));
+    const auto slope = [&](const Pose2& up, const Pose2& down) {
+      return (residual(surface, up, i) - residual(surface, down, i)) / (2 * h);
+    };
+    const Pose2& p = match.T_map_base;
+    const Eigen::Vector3d row(slope({p.x + h, p.y, p.theta}, {p.x - h, p.y, p.theta}),
+                              slope({p.x, p.y + h, p.theta}, {p.x, p.y - h, p.theta}),
+                              slope({p.x, p.y, p.theta + h}, {p.x, p.y, p.theta - h}));
+    numeric += row * row.transpose() / (0.05 * 0.05);
+  }
+  EXPECT_LT((match.information() - numeric).norm(), 1e-5 * numeric.norm());
+}
+
+TEST(ScanMatcher, SaysWhyItTellsNothing) {
+  const ScanMatcher matcher(with("line"), surfacesOf(roomLines()));
+  Scan few = scanAt(kTruth, roomLines());
+  for (auto* column : {&few.x, &few.y, &few.range, &few.bearing}) column->conservativeResize(9);
+  EXPECT_EQ(matcher.match(kTruth, few).fault, MatchFault::kFewHits);
+  Scan crowd = scanAt(kTruth, roomLines());
+  crowd.x *= 0.4F;
+  crowd.y *= 0.4F;
+  EXPECT_EQ(matcher.match(kTruth, crowd).fault, MatchFault::kOutliers);
+  const auto nothing =
+      std::make_shared<const SurfaceMap>(Lattice(10, 10, 0.05, {}), std::vector<Segment>{});
+  EXPECT_EQ(ScanMatcher(with("line"), nothing).match(kTruth, crowd).fault, MatchFault::kOutliers);
+}
+
+TEST(ScanMatcher, StaysSaneWhateverTheScan) {
+  const ScanMatcher matcher(with("line"), surfacesOf(roomLines()));
+  Rng rng(11);
+  const double odd[] = {std::nan(""), std::numeric_limits<double>::infinity(), 1e30, -1e30, 0.0};
+  for (int k = 0; k < 500; ++k) {
+    std::vector<Eigen::Vector2d> hits(rng.below(40));
+    for (auto& hit : hits) {
+      hit = {rng.uniform(-5, 5), rng.uniform(-5, 5)};
+      if (rng.uniform() < 0.1) hit.x() = odd[rng.below(5)];
+    }
+    const Pose2 guess{rng.uniform(-2, 8), rng.uniform(-2, 6), rng.uniform(-4, 4)};
+    for (const char* metric : {"line", "point"}) {
+      const Match match =
+          ScanMatcher(with(metric), surfacesOf(roomLines())).match(guess, hitsAt(hits, 8.0).scan);
+      ASSERT_TRUE(isFinite(match.T_map_base)) << k;
+      ASSERT_TRUE(match.H.allFinite() && match.variance.allFinite()) << k;
+    }
+  }
+}
+
+/// Scan and map change places: the transform found is the inverse.
+TEST(ScanMatcher, SwappingScanAndMapGivesTheInverse) {
+  const Pose2 moved{0.12, -0.08, 0.05};
+  std::vector<Segment> room, seen;  // from the middle of the room, and from a little beside
+  for (const Segment& line : roomLines()) {
+    room.push_back({inverse(kTruth) * line.a, inverse(kTruth) * line.b});
+    seen.push_back({inverse(moved) * room.back().a, inverse(moved) * room.back().b});
+  }
+  const auto mapOf = [](const std::vector<Segment>& segments) {
+    return std::make_shared<const SurfaceMap>(Lattice(200, 200, 0.05, {-5.0, -5.0, 0.0}), segments);
+  };
+  const auto pointsOn = [](const std::vector<Segment>& segments) {
+    std::vector<Eigen::Vector2d> points;
+    for (const Segment& segment : segments) {
+      for (int k = 1; k < 40; ++k) points.push_back(segment.a + k / 40.0 * (segment.b - segment.a));
+    }
+    return hitsAt(points, 20.0).scan;
+  };
+  const auto there = ScanMatcher(with("line"), mapOf(room)).match({}, pointsOn(seen));
+  const auto back = ScanMatcher(with("line"), mapOf(seen)).match({}, pointsOn(room));
+  EXPECT_THAT(there.T_map_base, PoseNear(moved, 2e-3, 1e-3));
+  EXPECT_THAT(back.T_map_base, PoseNear(inverse(there.T_map_base), 4e-3, 2e-3));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
