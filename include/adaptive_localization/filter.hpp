@@ -44,6 +44,7 @@ struct Estimate {
 };
 
 class Places;
+struct Match;
 
 /// What a filter is made from. Map and distance field are immutable and shared. The places tell
 /// where in the map a scan can have been taken; they cost nothing until they are asked.
@@ -79,6 +80,9 @@ class Filter {
 
   /// The hypotheses that the others follow, for filters that have such.
   virtual Particles leaders() const { return {}; }
+
+  /// How the last scan was aligned with the map, for filters that do that; null for others.
+  virtual const Match* match() const { return nullptr; }
 };
 
 }  // namespace adaptive_localization

@@ -3,6 +3,7 @@
 
 #include "adaptive_localization/particle/kidnap_test.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
+#include "ekf_icp.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
 #include "swarm_filter.hpp"
@@ -112,9 +113,16 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   parts.move = makeSwarmMove(rule, given);
   std::optional<LeaderOptions> leaders;
   if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
-  parts.fixer = std::make_unique<SwarmFixer>(
-      given.read<SwarmFixOptions>(), given.read<RangeObjectiveOptions>(), leaders,
-      given.read<EnergyGridOptions>().energy_max_range, context.map, places);
+  const auto fixing = given.read<SwarmFixOptions>();
+  const auto matching = given.read<MatchOptions>();
+  std::unique_ptr<ScanMatcher> matcher;
+  if (fixing.swarm_match) {
+    matcher =
+        std::make_unique<ScanMatcher>(matching, std::make_shared<const SurfaceMap>(*context.map));
+  }
+  parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
+                                             given.read<EnergyGridOptions>().energy_max_range,
+                                             context.map, places, std::move(matcher));
   parts.elsewhere = makeSampler(context, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);
@@ -130,12 +138,35 @@ FilterDescription swarmFilter(const std::string& name, const std::string& senten
   append(describe(SwarmFilterOptions{}));
   append(describe(SwarmFixOptions{}));
   append(describe(RangeObjectiveOptions{}));
+  append(describe(MatchOptions{}));
   if (rule != Rule::kParticleSwarm) append(describe(BatOptions{}));
   if (rule == Rule::kLeaders) append(describe(LeaderOptions{}));
   append(describe(ElsewhereOptions{}));
   append(describe(PlaceSamplerOptions{}));
   const auto make = [rule](const FilterContext& context) { return makeSwarmFilter(rule, context); };
   return {name, sentence, make, std::move(all), std::move(recommended), std::move(seed)};
+}
+
+std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
+  const Parameters& given = context.parameters;
+  EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
+                 makeScanMatcher(given.read<MatchOptions>(), *context.map), placesFor(context),
+                 std::make_unique<FreeSpaceSampler>(context.map)};
+  return std::make_unique<EkfIcp>(given.read<EkfOptions>(), std::move(parts), context.seed);
+}
+
+FilterDescription ekfIcp() {
+  std::vector<OptionDescription> all;
+  for (const auto& rows :
+       {describe(MotionOptions{}), describe(EkfOptions{}), describe(MatchOptions{})}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return {"ekf_icp",
+          "Extended Kalman filter on odometry, corrected by matching scans with the map.",
+          makeEkfIcp,
+          std::move(all),
+          {{"relocalize", true}, {"update_min_d", 0.05}, {"update_min_a", 0.03}},
+          sourceOfEkfIcp()};
 }
 
 }  // namespace
@@ -172,6 +203,7 @@ std::vector<FilterDescription> builtinFilters() {
   filters.push_back(swarmFilter("lbba", "Leader-based bat algorithm: bats that follow leaders.",
                                 Rule::kLeaders, relocalize,
                                 sourceOfLeaders() + sourceOfBats() + sourceOfSwarms()));
+  filters.push_back(ekfIcp());
   return filters;
 }
 

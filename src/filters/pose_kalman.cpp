@@ -10,6 +10,10 @@
 namespace adaptive_localization {
 namespace {
 
+Eigen::Vector3d off(const Pose2& from, const Pose2& to) {
+  return {to.x - from.x, to.y - from.y, wrapAngle(to.theta - from.theta)};
+}
+
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& matrix) {
   return 0.5 * (matrix + matrix.transpose());
 }
@@ -23,10 +27,15 @@ Eigen::LLT<PoseObservation::Square> innovationCovariance(const Eigen::Matrix3d& 
 }  // namespace
 
 PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed) {
-  const Pose2& z = observed.mean;
-  return {Eigen::Vector3d(z.x - T_map_base.x, z.y - T_map_base.y,
-                          wrapAngle(z.theta - T_map_base.theta)),
-          Eigen::Matrix3d::Identity(), observed.covariance};
+  return {off(T_map_base, observed.mean), Eigen::Matrix3d::Identity(), observed.covariance};
+}
+
+PoseObservation observationOf(const Pose2& T_map_base, const Match& match,
+                              const Eigen::Matrix3d& more) {
+  PoseObservation observation{match.H * off(T_map_base, match.T_map_base), match.H,
+                              match.H * more * match.H.transpose()};
+  observation.R.diagonal() += match.variance;
+  return observation;
 }
 
 void PoseKalman::reset(const Gaussian2& belief) {
@@ -42,8 +51,9 @@ void PoseKalman::predict(const Pose2& motion, const Eigen::Matrix3d& noise) {
   F(1, 2) = c * motion.x - s * motion.y;
   Eigen::Matrix3d G = Eigen::Matrix3d::Identity();
   G.topLeftCorner<2, 2>() << c, -s, s, c;
-  belief_.covariance =
+  const Eigen::Matrix3d covariance =
       symmetric(F * belief_.covariance * F.transpose() + G * noise * G.transpose());
+  if (covariance.allFinite()) belief_.covariance = covariance;
   belief_.mean = belief_.mean * motion;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
 
 namespace adaptive_localization {
 
@@ -21,6 +22,11 @@ struct PoseObservation {
 
 /// All of the pose, observed as it is: H = I, headings wrapped.
 PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed);
+
+/// A matched scan as an observation: z = H x, with headings wrapped. `more` is added to the noise
+/// over (x, y, theta): what the map itself may be off.
+PoseObservation observationOf(const Pose2& T_map_base, const Match& match,
+                              const Eigen::Matrix3d& more);
 
 /// A Gaussian belief of the pose of base in map, and the extended Kalman filter's two steps
 /// (Thrun, Burgard and Fox 2005, table 3.3). Covariances stay symmetric and positive.

@@ -36,6 +36,21 @@ Preset sourceOfSamcl() {
           {"kidnap_arm_spread", 0.14},       {"local_share", 0.7}};
 }
 
+Preset sourceOfEkfIcp() {
+  return {{"match_metric", std::string("point")},
+          {"match_outliers", std::string("none")},
+          {"match_reach", 1.0},
+          {"match_reach_end", 1.0},
+          {"match_max_iterations", 30},
+          {"match_least_inliers", 0.0},
+          {"ekf_gate", 1e9},
+          {"ekf_rejected_scans", 1000},
+          {"ekf_map_std", 0.0},
+          {"ekf_map_turn_std", 0.0},
+          {"update_min_d", 0.0},
+          {"update_min_a", 0.0}};
+}
+
 Preset stockAmcl() {
   return {{"odom_alpha1", 0.2},
           {"odom_alpha2", 0.2},

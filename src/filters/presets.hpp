@@ -25,6 +25,9 @@ Preset sourceOfKld();
 /// with 30 beams, and 70 % stay.
 Preset sourceOfSamcl();
 
+/// The source of ekf_icp: point-to-point ICP, all that is within a metre, no doubts.
+Preset sourceOfEkfIcp();
+
 /// amcl as it is shipped.
 Preset stockAmcl();
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_localization/map/floor_plan.hpp"
 #include "outliers.hpp"
 
 namespace adaptive_localization {
@@ -116,6 +117,12 @@ Eigen::Matrix3d Match::information() const {
 
 ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces)
     : options_(options), surfaces_(std::move(surfaces)) {}
+
+ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map) {
+  if (options.line_map.empty()) return {options, std::make_shared<const SurfaceMap>(map)};
+  const auto lines = surfacesOf(loadFloorPlan(options.line_map));
+  return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines)};
+}
 
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan) const {
   Match match;

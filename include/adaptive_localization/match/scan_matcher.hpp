@@ -27,6 +27,7 @@ struct MatchOptions {
   double match_range_std{0.03};
   double match_information{1.0};
   double match_least_inliers{0.4};
+  std::string line_map;
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -54,6 +55,9 @@ struct MatchOptions {
            "share the map's errors.");
     option("match_least_inliers", match_least_inliers, kProbability, "",
            "A scan of which a smaller share fits is not matched: too much is not in the map.");
+    option("line_map", line_map, Choices{},
+           "Floor plan (YAML) in the map's frame whose walls are matched instead of the map's "
+           "cells, exactly; empty: none.");
   }
 };
 
@@ -113,5 +117,9 @@ class ScanMatcher {
   MatchOptions options_;
   std::shared_ptr<const SurfaceMap> surfaces_;
 };
+
+/// On the surfaces of a map, or of the floor plan that the options name. Throws
+/// std::invalid_argument naming the file and what is wrong with it.
+ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map);
 
 }  // namespace adaptive_localization

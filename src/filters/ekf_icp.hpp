@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/ser/places.hpp"
+#include "pose_kalman.hpp"
+
+namespace adaptive_localization {
+
+struct EkfOptions {
+  double ekf_gate{11.34};
+  int ekf_rejected_scans{3};
+  double ekf_map_std{0.01};
+  double ekf_map_turn_std{0.002};
+  int ekf_cloud{200};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("ekf_gate", ekf_gate, kPositive, "",
+           "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
+           "11.34 holds for 99 of 100 right ones.");
+    option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
+           "Scans in a row that do not correct the pose before it is looked for all over the map.");
+    option("ekf_map_std", ekf_map_std, kNotNegative, "m",
+           "Standard deviation of the map's own error, added to that of a match.");
+    option("ekf_map_turn_std", ekf_map_turn_std, kNotNegative, "rad", "The same of the heading.");
+    option("ekf_cloud", ekf_cloud, Range{1, 100000}, "",
+           "Particles drawn from the belief, for those who want to see a cloud.");
+  }
+};
+
+struct EkfParts {
+  std::unique_ptr<MotionModel> motion;
+  ScanMatcher matcher;
+  std::shared_ptr<Places> places;
+  std::unique_ptr<PoseSampler> anywhere;
+};
+
+/// An extended Kalman filter that is corrected by matching scans with the map:
+///
+///     predict   x = x (+) odometry,   P = F P F^T + G Q G^T
+///     correct   by the matched pose, along the directions that the scan tells something of
+///
+/// A match with too many outliers, or one that odometry gainsays (gate), corrects nothing: the
+/// covariance grows. After several such scans, and from an unknown start, the pose is looked for
+/// all over the map; what is found must fit two scans in a row.
+class EkfIcp : public Filter {
+ public:
+  EkfIcp(const EkfOptions& options, EkfParts parts, std::uint64_t seed)
+      : options_(options), parts_(std::move(parts)), rng_(seed) {}
+
+  void reset(const Prior& prior) override;
+  Estimate update(const Pose2& motion, const Observations& observations) override;
+  Estimate estimate() const override;
+  const Particles& hypotheses() const override { return cloud_; }
+  const Match* match() const override { return match_ ? &*match_ : nullptr; }
+
+ private:
+  bool correct(const Match& match);
+  void lookAround(const Observations& observations);
+  std::optional<Match> matchElsewhere(const Observations& observations);
+  Eigen::Matrix3d mapCovariance() const;
+
+  EkfOptions options_;
+  EkfParts parts_;
+  Rng rng_;
+  PoseKalman kalman_;
+  Particles cloud_;
+  std::optional<Match> match_;
+  bool anywhere_{false};
+  int rejected_{0};                 // scans in a row
+  std::optional<Pose2> candidate_;  // fitted the last scan
+};
+
+}  // namespace adaptive_localization
