@@ -9,10 +9,6 @@
 namespace adaptive_localization {
 namespace {
 
-Eigen::Vector2d unit(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
-
 /// The share of a scan's line that lies along the map's, which is longer by the slack at both ends.
 double overlap(const Segment& mapped, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                double slack) {
@@ -25,23 +21,69 @@ double overlap(const Segment& mapped, const Eigen::Vector2d& a, const Eigen::Vec
   return length > 0.0 ? (high - low) / length : 0.0;
 }
 
-LineMatch compare(const Pose2& T_map_base, const ScanLine& line, const MapLine& landmark) {
-  const Eigen::Vector2d normal = unit(landmark.alpha);
+struct Candidate {
   LineMatch match;
-  match.z = {line.rho, line.alpha};
-  match.landmark = landmark;
-  match.R = line.covariance;
-  match.H << -normal.x(), -normal.y(), 0.0, 0.0, 0.0, -1.0;
-  match.innovation = match.innovationAt(T_map_base);
-  return match;
-}
+  double apart;  // squared Mahalanobis distance
+};
 
-/// Squared Mahalanobis distance; infinite where it is none.
-double distanceOf(const LineMatch& match, const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix2d S = match.H * covariance * match.H.transpose() + match.R;
-  const double determinant = S.determinant();
-  if (!(S(0, 0) > 0.0 && determinant > 0.0)) return std::numeric_limits<double>::infinity();
-  return match.innovation.dot(S.inverse() * match.innovation);
+/// The map's lines within the gate and the lead, along which the scan's line lies.
+class Search {
+ public:
+  Search(const Pose2& T_map_base, const Eigen::Matrix3d& covariance, const LineMap& map,
+         const LineOptions& options)
+      : T_map_base_(T_map_base), covariance_(covariance), map_(map), options_(options) {}
+
+  std::vector<Candidate> candidates(const ScanLine& line) const {
+    std::vector<Candidate> found;
+    const Eigen::Vector2d a = T_map_base_ * line.a;
+    const Eigen::Vector2d b = T_map_base_ * line.b;
+    for (std::size_t i = 0; i < map_.lines().size(); ++i) {
+      const MapLine& landmark = map_.lines()[i];
+      LineMatch match = compare(line, landmark);
+      const double apart = distanceOf(match);
+      if (!(apart <= options_.line_gate + options_.line_lead)) continue;
+      if (overlap(landmark.segment, a, b, slackAlong(landmark)) < options_.line_overlap) continue;
+      match.map_line = static_cast<int>(i);
+      found.push_back({match, apart});
+    }
+    return found;
+  }
+
+ private:
+  LineMatch compare(const ScanLine& line, const MapLine& landmark) const {
+    LineMatch match;
+    match.z = {line.rho, line.alpha};
+    match.landmark = landmark;
+    match.R = line.covariance;
+    match.H << -landmark.normal.x(), -landmark.normal.y(), 0.0, 0.0, 0.0, -1.0;
+    match.innovation = match.innovationAt(T_map_base_);
+    return match;
+  }
+
+  /// Infinite where it is none.
+  double distanceOf(const LineMatch& match) const {
+    const Eigen::Matrix2d S = match.H * covariance_ * match.H.transpose() + match.R;
+    const double determinant = S.determinant();
+    if (!(S(0, 0) > 0.0 && determinant > 0.0)) return std::numeric_limits<double>::infinity();
+    return match.innovation.dot(S.inverse() * match.innovation);
+  }
+
+  double slackAlong(const MapLine& landmark) const {
+    const Eigen::Vector2d along(-landmark.normal.y(), landmark.normal.x());
+    const double variance = along.dot(covariance_.topLeftCorner<2, 2>() * along);
+    return 2.0 * std::sqrt(std::max(0.0, variance));
+  }
+
+  const Pose2& T_map_base_;
+  const Eigen::Matrix3d& covariance_;
+  const LineMap& map_;
+  const LineOptions& options_;
+};
+
+/// Two pieces of one straight wall say the same.
+bool saySame(const LineMatch& a, const LineMatch& b) {
+  constexpr double kSame = 1e-3;  // m and rad
+  return (a.innovation - b.innovation).cwiseAbs().maxCoeff() < kSame;
 }
 
 }  // namespace
@@ -50,14 +92,14 @@ LineMap::LineMap(const std::vector<Segment>& surfaces) {
   for (const auto& segment : surfaces) {
     const Eigen::Vector2d along = segment.b - segment.a;
     if (!(along.norm() > 0.0)) continue;
-    const double alpha = std::atan2(-along.x(), along.y());  // on the right of a -> b
-    lines_.push_back({unit(alpha).dot(segment.a), alpha, segment});
+    const Eigen::Vector2d normal = Eigen::Vector2d(along.y(), -along.x()).normalized();
+    lines_.push_back({normal.dot(segment.a), std::atan2(normal.y(), normal.x()), normal, segment});
   }
 }
 
 Eigen::Vector2d LineMatch::innovationAt(const Pose2& T_map_base) const {
   const double rho =
-      landmark.rho - unit(landmark.alpha).dot(Eigen::Vector2d(T_map_base.x, T_map_base.y));
+      landmark.rho - landmark.normal.dot(Eigen::Vector2d(T_map_base.x, T_map_base.y));
   return {z.x() - rho, wrapAngle(z.y() - (landmark.alpha - T_map_base.theta))};
 }
 
@@ -66,32 +108,21 @@ std::vector<LineMatch> matchLines(const Pose2& T_map_base, const Eigen::Matrix3d
                                   const LineOptions& options) {
   std::vector<LineMatch> matches;
   if (!isFinite(T_map_base) || !covariance.allFinite()) return matches;
-  const double gate = options.line_gate + options.line_lead;
+  const Search search(T_map_base, covariance, map, options);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const ScanLine& line = lines[i];
-    const Eigen::Vector2d a = T_map_base * line.a;
-    const Eigen::Vector2d b = T_map_base * line.b;
-    LineMatch best;
-    double least = std::numeric_limits<double>::infinity();
-    double second = least;
-    for (std::size_t j = 0; j < map.lines().size(); ++j) {
-      const MapLine& landmark = map.lines()[j];
-      LineMatch match = compare(T_map_base, line, landmark);
-      const double apart = distanceOf(match, covariance);
-      if (!(apart <= gate)) continue;
-      const Eigen::Vector2d along = unit(landmark.alpha + kPi / 2.0);
-      const double slack =
-          2.0 * std::sqrt(std::max(0.0, along.dot(covariance.topLeftCorner<2, 2>() * along)));
-      if (overlap(landmark.segment, a, b, slack) < options.line_overlap) continue;
-      second = std::min(second, std::max(least, apart));
-      if (apart < least) {
-        least = apart;
-        match.scan_line = static_cast<int>(i);
-        match.map_line = static_cast<int>(j);
-        best = match;
-      }
-    }
-    if (least <= options.line_gate && second - least >= options.line_lead) matches.push_back(best);
+    const std::vector<Candidate> candidates = search.candidates(lines[i]);
+    const auto best =
+        std::min_element(candidates.begin(), candidates.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.apart < b.apart; });
+    if (best == candidates.end() || best->apart > options.line_gate) continue;
+    const bool has_rival =
+        std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+          return other.apart < best->apart + options.line_lead &&
+                 !saySame(other.match, best->match);
+        });
+    if (has_rival) continue;
+    matches.push_back(best->match);
+    matches.back().scan_line = static_cast<int>(i);
   }
   return matches;
 }

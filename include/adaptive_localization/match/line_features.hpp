@@ -11,8 +11,8 @@ namespace adaptive_localization {
 
 struct LineOptions {
   int line_least_points{8};
-  double line_least_length{0.3};
-  double line_split{0.12};
+  double line_least_length{0.4};
+  double line_split{4.0};
   double line_range_std{0.03};
   double line_gate{9.21};
   double line_lead{4.0};
@@ -24,8 +24,8 @@ struct LineOptions {
            "Hits that make a line, at the least.");
     option("line_least_length", line_least_length, kPositive, "m",
            "Length of a line at the least.");
-    option("line_split", line_split, kPositive, "m",
-           "Hits farther than this from a line through them are not one line.");
+    option("line_split", line_split, kPositive, "",
+           "Hits farther from a line than so many times their noise are not of it.");
     option("line_range_std", line_range_std, kPositive, "m",
            "Standard deviation of the laser's ranges, as lines take it.");
     option("line_gate", line_gate, kPositive, "",
@@ -54,17 +54,19 @@ struct ScanLine {
 
 /// The straight lines in a scan, by split and merge (the best of six in Nguyen et al. 2007): the
 /// hits in their order are parted where neighbours lie too far apart for any wall seen at 10
-/// degrees or more, then at the one farthest from the chord until a total least squares line fits
-/// each part; neighbouring parts that fit one line are joined. Single hits away from both
-/// neighbours are left out first.
+/// degrees or more, then at the one farthest from the chord until each part is a total least
+/// squares line and noise; neighbouring parts that are one line are joined, and where two lines
+/// meet, their border goes to where the hits fit best. Single hits away from both neighbours are
+/// left out first.
 ///
-/// With t_i the hit's place along the line, T the mean, and d_i the cosine of incidence, of range
-/// noise sigma at each hit come
+/// The noise is that of the ranges: across the line, of a beam with cosine of incidence c,
 ///
-///     d alpha = -sum (t_i - T) e_i / sum (t_i - T)^2,   d rho = mean(e_i) + T d alpha,
-///     var(e_i) = sigma^2 (d_i^2 + 0.1^2),
+///     var(e) = sigma^2 (c^2 + 0.1^2);
 ///
-/// hence the covariance; 0.1 stands for what is left of noise along a grazed wall.
+/// 0.1 stands for what is left of it along a grazed wall. With t the hits' places along the line
+/// and T their mean, the line's errors, and from them its covariance, are
+///
+///     d alpha = -sum (t - T) e / sum (t - T)^2,   d rho = mean(e) + T d alpha.
 ///
 /// Never throws, and nothing that is not finite comes out, for whatever scan.
 std::vector<ScanLine> linesOf(const Scan& scan, const LineOptions& options);

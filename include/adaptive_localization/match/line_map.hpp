@@ -13,9 +13,10 @@ namespace adaptive_localization {
 /// A wall's face, cos(alpha) x + sin(alpha) y = rho in map: alpha points into the wall, so rho may
 /// be negative, and the two faces of a wall are half a turn apart.
 struct MapLine {
-  double rho{0.0};    // m
-  double alpha{0.0};  // rad
-  Segment segment;    // free space on the left of a -> b
+  double rho{0.0};                   // m
+  double alpha{0.0};                 // rad
+  Eigen::Vector2d normal{1.0, 0.0};  // (cos(alpha), sin(alpha))
+  Segment segment;                   // free space on the left of a -> b
 };
 
 /// The lines of a map: landmarks that a scan's lines are looked for among.
@@ -52,8 +53,8 @@ struct LineMatch {
 /// Looks for each of a scan's lines among those of the map, from a Gaussian belief of the pose. A
 /// line is matched with the one of least nu^T (H P H^T + R)^-1 nu, if that is within the gate, if
 /// the line lies along the map's segment (but for twice the belief's deviation that way), and if no
-/// other of the map is nearly as near. As alpha points into the wall, a face is never matched from
-/// behind. A belief that is not finite matches nothing.
+/// other line of the map is nearly as near. As alpha points into the wall, a face is never matched
+/// from behind. A belief that is not finite matches nothing.
 std::vector<LineMatch> matchLines(const Pose2& T_map_base, const Eigen::Matrix3d& covariance,
                                   const std::vector<ScanLine>& lines, const LineMap& map,
                                   const LineOptions& options);
