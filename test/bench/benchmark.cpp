@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What scoring, resampling, updating, building fields and energy grids and searching cost, on one
-// thread. An item is a particle and beam where beams count, else a particle, a cell, a ray or a
-// pose.
+// What scoring, resampling, updating, building fields and energy grids, searching and matching cost,
+// on one thread. An item is a particle and beam where beams count, else a particle, a cell, a ray, a
+// pose or, of a match, a beam.
 #include <string>
 #include <utility>
 
@@ -164,6 +164,7 @@ int main(int argc, char** argv) {
   adaptive_localization::registerScores();
   adaptive_localization::registerOthers();
   adaptive_localization::registerPlaces();
+  adaptive_localization::registerMatches();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

@@ -18,4 +18,7 @@ inline void countItems(benchmark::State& state, std::int64_t per_iteration) {
 /// Energy grids and the global search.
 void registerPlaces();
 
+/// Scan matching, by surfaces and by lines.
+void registerMatches();
+
 }  // namespace adaptive_localization
