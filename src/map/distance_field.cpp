@@ -4,6 +4,15 @@
 #include <opencv2/imgproc.hpp>
 
 namespace adaptive_localization {
+namespace {
+
+bool isSurface(const OccupancyGrid& grid, const Cell& c) {
+  return grid.isOccupied(c) &&
+         !(grid.isOccupied({c.x - 1, c.y}) && grid.isOccupied({c.x + 1, c.y}) &&
+           grid.isOccupied({c.x, c.y - 1}) && grid.isOccupied({c.x, c.y + 1}));
+}
+
+}  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid)
     : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell) {
@@ -11,7 +20,7 @@ DistanceField::DistanceField(const OccupancyGrid& grid)
   cv::Mat surface(lattice_.height(), lattice_.width(), CV_8U);
   bool any = false;
   for (std::size_t i = 0; i < lattice_.size(); ++i) {
-    const bool hit = grid.isSurface(lattice_.cell(i));
+    const bool hit = isSurface(grid, lattice_.cell(i));
     surface.data[i] = hit ? 0 : 255;
     any = any || hit;
   }

@@ -13,9 +13,20 @@ namespace {
 constexpr int kReach = 3;            // cells round about that a line is fitted to
 constexpr double kSpread = 1.5;      // cells, of the weights
 constexpr int kLeastCells = 3;       // that make a line
-constexpr double kRoughness = 0.15;  // variance across a line against that along it
+constexpr double kRoughness = 0.4;   // variance across a line against that along it
 constexpr float kHalfCells = 1.0F;   // half the length of a piece of wall
 constexpr double kLongestWay = 1e6;  // cells
+
+/// Occupied, and free ground touches it: what a laser sees of a wall that is several cells thick.
+bool isVisible(const OccupancyGrid& grid, const Cell& c) {
+  if (!grid.isOccupied(c)) return false;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (grid.isFree({c.x + dx, c.y + dy})) return true;
+    }
+  }
+  return false;
+}
 
 /// Weighted mean and scatter of cells, in cells from the middle one.
 struct Scatter {
@@ -93,7 +104,7 @@ class Fitter {
 SurfaceMap::SurfaceMap(const OccupancyGrid& grid) : lattice_(grid.lattice()) {
   std::vector<std::uint8_t> is_surface(lattice_.size());
   for (std::size_t i = 0; i < lattice_.size(); ++i) {
-    is_surface[i] = grid.isSurface(lattice_.cell(i)) ? 1 : 0;
+    is_surface[i] = isVisible(grid, lattice_.cell(i)) ? 1 : 0;
   }
   const Fitter fitter(grid, is_surface);
   std::vector<std::int32_t> seeds(lattice_.size(), -1);

@@ -9,9 +9,10 @@
 namespace adaptive_localization {
 
 /// Euclidean distance from each cell's centre to the centre of the nearest surface cell, exact
-/// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012): a hit inside a thick wall is
-/// as wrong as one in front. Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a
-/// map without obstacles is saturated everywhere.
+/// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). A surface cell is an occupied
+/// one with a side that is not shut by another: no laser sees the inside of a thick wall, and a hit
+/// in there is as wrong as one in front. Two bytes per cell: steps of 1/64 cell, saturating at 1023
+/// cells; a map without obstacles is saturated everywhere.
 class DistanceField {
  public:
   explicit DistanceField(const OccupancyGrid& grid);

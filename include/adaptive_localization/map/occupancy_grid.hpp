@@ -26,12 +26,6 @@ class OccupancyGrid {
 
   bool isOccupied(const Cell& cell) const { return at(cell) >= 65; }
   bool isFree(const Cell& cell) const { return at(cell) >= 0 && at(cell) < 20; }
-  /// An occupied cell with a side that is not shut by another: no laser sees the inside of a thick
-  /// wall.
-  bool isSurface(const Cell& c) const {
-    return isOccupied(c) && !(isOccupied({c.x - 1, c.y}) && isOccupied({c.x + 1, c.y}) &&
-                              isOccupied({c.x, c.y - 1}) && isOccupied({c.x, c.y + 1}));
-  }
   std::size_t countFree() const;
 
  private:
