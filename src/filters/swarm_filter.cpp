@@ -9,24 +9,23 @@
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
+#include "pose_kalman.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr double kCloudXy = 0.06;  // m, rad: a cloud is at least so wide
-constexpr double kCloudTheta = 0.04;
-constexpr double kShareHere = 0.2;     // of the bats stay when others look elsewhere
-constexpr double kSecondPlace = 0.05;  // mass of a mode that counts
-constexpr float kNarrow = 0.25F;       // m
-constexpr double kCovered = 0.7;       // share of beams
-constexpr int kScansPerSpread = 3;     // while nothing is found elsewhere
-constexpr double kHopeless = 0.6;      // share of the worst cost that tells nothing
-
-/// Symmetric, finite, without negative eigenvalues.
-Eigen::Matrix3d mended(const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix3d root = squareRoot(covariance);
-  return root * root.transpose();
-}
+constexpr double kCloudXy = 0.06, kCloudTheta = 0.04;  // m, rad: a cloud is at least so wide
+constexpr double kSlipXy = 0.5, kSlipTheta = 0.3;  // m, rad: and here, when others look elsewhere
+constexpr double kShareHere = 0.2;                 // of the bats, then
+constexpr double kSecondPlace = 0.05;              // mass of a mode that counts
+constexpr std::size_t kCandidates = 5;
+constexpr float kNarrow = 0.25F;    // m
+constexpr double kCovered = 0.7;    // share of beams
+constexpr int kScansPerSpread = 3;  // while nothing is found elsewhere
+constexpr double kHopeless = 0.6;   // share of the worst cost that tells nothing
+constexpr double kUnsure = 9.0;     // a place found anew is so much less sure than its bats agree
+constexpr double kMapXy = 0.01, kMapTheta = 0.003;    // m, rad: what the map itself may be off
+constexpr double kStrange[] = {10.83, 13.82, 16.27};  // chi^2 of 1 to 3 directions, 0.1 %
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
   return {T_map_base, covariance, {{T_map_base, covariance, 1.0}}};
@@ -39,6 +38,25 @@ bool isCovered(const Scan& scan) {
          kCovered * static_cast<double>(beams);
 }
 
+PoseKalman beliefOf(const Mode& mode) {
+  PoseKalman belief;
+  belief.reset({mode.T_map_base, mode.covariance});
+  return belief;
+}
+
+/// What a fix says of a pose near it: the match in the directions of which it tells, else the bats
+/// as one.
+PoseObservation observationOf(const Pose2& T_map_base, const SwarmFix& fix) {
+  if (fix.match) {
+    const double xy = kMapXy * kMapXy, theta = kMapTheta * kMapTheta;
+    return observationOf(T_map_base, *fix.match, Eigen::Vector3d(xy, xy, theta).asDiagonal());
+  }
+  const Pose2& z = fix.estimate.T_map_base;
+  return {Eigen::Vector3d(z.x - T_map_base.x, z.y - T_map_base.y,
+                          wrapAngle(z.theta - T_map_base.theta)),
+          Eigen::Matrix3d::Identity(), fix.estimate.covariance};
+}
+
 bool hasSecondPlace(const Estimate& estimate) {
   return estimate.modes.size() > 1 && estimate.modes[1].mass > kSecondPlace;
 }
@@ -46,8 +64,8 @@ bool hasSecondPlace(const Estimate& estimate) {
 }  // namespace
 
 void SwarmFilter::reset(const Prior& prior) {
-  unexplained_ = 0;
-  candidate_.reset();
+  unexplained_ = strange_ = 0;
+  candidates_.clear();
   anywhere_ = is_undecided_ = false;
   is_fix_asked_ = true;
   leaders_ = {};
@@ -58,8 +76,9 @@ void SwarmFilter::reset(const Prior& prior) {
     estimate_ = summarize(bats_, bats_.log_weight.exp());
     is_undecided_ = hasSecondPlace(estimate_);
   } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
-    estimate_ = oneMode(gaussian->mean, mended(gaussian->covariance));
-    bats_ = drawCloud({gaussian->mean, estimate_.covariance}, options_.swarm_size, rng_);
+    const PoseKalman mended = beliefOf({gaussian->mean, gaussian->covariance, 1.0});
+    estimate_ = oneMode(mended.mean(), mended.covariance());
+    bats_ = drawCloud(mended.belief(), options_.swarm_size, rng_);
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
@@ -71,12 +90,20 @@ void SwarmFilter::reset(const Prior& prior) {
 /// A share of the bats stays about where the robot should be.
 void SwarmFilter::drawElsewhere(double share_here) {
   const auto here = static_cast<Eigen::Index>(share_here * options_.swarm_size);
+  const Gaussian2 near{estimate_.T_map_base, cloudCovariance(kSlipXy, kSlipTheta)};
+  const Particles cloud = drawCloud(near, here, rng_);
   Particles all(options_.swarm_size);
-  const Particles before = bats_;
   for (Eigen::Index i = 0; i < all.size(); ++i) {
-    all.setPose(i, i < here ? before.pose(i % before.size()) : parts_.elsewhere->draw(rng_));
+    all.setPose(i, i < here ? cloud.pose(i) : parts_.elsewhere->draw(rng_));
   }
   bats_ = std::move(all);
+}
+
+/// What odometry leaves open, and so much more.
+Eigen::Matrix3d SwarmFilter::cloudCovariance(double xy, double theta) const {
+  Eigen::Matrix3d covariance = estimate_.covariance;
+  covariance.diagonal() += Eigen::Vector3d(xy * xy, xy * xy, theta * theta);
+  return covariance;
 }
 
 Estimate SwarmFilter::update(const Pose2& motion, const Observations& observations) {
@@ -90,26 +117,20 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
   return estimate_;
 }
 
-/// Moves pose, bats and modes, and adds the noise of odometry.
+/// Moves pose, bats and places, and adds the noise of odometry.
 void SwarmFilter::ride(const Pose2& motion) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
-  const auto grown = [&](const Pose2& pose, const Eigen::Matrix3d& covariance) {
-    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-    Eigen::Matrix3d F = Eigen::Matrix3d::Identity(), turn = Eigen::Matrix3d::Identity();
-    F(0, 2) = -s * motion.x - c * motion.y;
-    F(1, 2) = c * motion.x - s * motion.y;
-    turn.topLeftCorner<2, 2>() << c, -s, s, c;
-    const Eigen::Matrix3d sum = F * covariance * F.transpose() + turn * noise * turn.transpose();
-    return Eigen::Matrix3d(0.5 * (sum + sum.transpose()));
-  };
-  if (candidate_) candidate_ = *candidate_ * motion;
-  estimate_.covariance = grown(estimate_.T_map_base, estimate_.covariance);
-  estimate_.T_map_base = parts_.fixer->inMap(estimate_.T_map_base * motion);
-  for (Mode& mode : estimate_.modes) {
-    mode.covariance = grown(mode.T_map_base, mode.covariance);
-    mode.T_map_base = parts_.fixer->inMap(mode.T_map_base * motion);
+  for (std::vector<Mode>* modes : {&estimate_.modes, &candidates_}) {
+    for (Mode& mode : *modes) {
+      PoseKalman belief = beliefOf(mode);
+      belief.predict(motion, noise);
+      mode.T_map_base = parts_.fixer->inMap(belief.mean());
+      mode.covariance = belief.covariance();
+    }
   }
+  estimate_.T_map_base = estimate_.modes.front().T_map_base;
+  estimate_.covariance = estimate_.modes.front().covariance;
   for (Particles* cloud : {&bats_, &leaders_}) {
     for (Eigen::Index i = 0; i < cloud->size(); ++i) cloud->setPose(i, cloud->pose(i) * motion);
   }
@@ -122,89 +143,137 @@ bool SwarmFilter::isFixDue(const Observations& observations) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(position, Eigen::EigenvaluesOnly);
   const double deviation = std::sqrt(std::max(0.0, solver.eigenvalues()[1]));
   return deviation >= options_.swarm_fix_deviation ||
-         parts_.fixer->costOf(estimate_.T_map_base, observations) > options_.swarm_explained;
+         !explains(parts_.fixer->costOf(estimate_.T_map_base, observations));
 }
 
-/// The swarm looks near where odometry says the robot is, or goes on in the places it is in.
-void SwarmFilter::fixHere(const Observations& observations) {
-  if (is_undecided_) {
-    const Eigen::ArrayXd weights = normalisedWeights(bats_.log_weight);
-    bats_ = select(bats_, systematicIndices(weights, options_.swarm_size, rng_));
-    for (Eigen::Index i = 0; i < bats_.size(); ++i) {
-      bats_.setPose(i, bats_.pose(i) * Pose2{rng_.normal(0.0, kCloudXy), rng_.normal(0.0, kCloudXy),
-                                             rng_.normal(0.0, kCloudTheta)});
-    }
-  } else {
-    Eigen::Matrix3d covariance = estimate_.covariance;
-    covariance.diagonal() +=
-        Eigen::Vector3d(kCloudXy * kCloudXy, kCloudXy * kCloudXy, kCloudTheta * kCloudTheta);
-    bats_ = drawCloud({estimate_.T_map_base, covariance}, options_.swarm_size, rng_);
-  }
-  const SwarmFix fix = parts_.fixer->fix(bats_, is_undecided_, *parts_.move, observations, rng_);
-  if (fix.cost <= options_.swarm_explained) {
-    unexplained_ = 0;
-    candidate_.reset();
-    take(fix, options_.swarm_fuse && !is_fix_asked_ && !is_undecided_);
+bool SwarmFilter::explains(double cost) const {
+  return cost <= usual_.limit(options_.swarm_unusual, options_.swarm_explained);
+}
+
+/// Bats near where odometry says the robot is, or in the places that they are in.
+void SwarmFilter::spreadHere() {
+  if (!is_undecided_) {
+    const Gaussian2 near{estimate_.T_map_base, cloudCovariance(kCloudXy, kCloudTheta)};
+    bats_ = drawCloud(near, options_.swarm_size, rng_);
     return;
   }
-  ++unexplained_;
-  const int since = unexplained_ - options_.swarm_confirm_scans;
-  if (since >= 0 && (candidate_ || since % kScansPerSpread == 0)) {
-    lookElsewhere(observations, fix);
-  } else if (fix.cost < kHopeless * parts_.fixer->worst()) {
-    take(fix, options_.swarm_fuse && !is_fix_asked_ && !is_undecided_);
+  const Eigen::ArrayXd weights = normalisedWeights(bats_.log_weight);
+  bats_ = select(bats_, systematicIndices(weights, options_.swarm_size, rng_));
+  for (Eigen::Index i = 0; i < bats_.size(); ++i) {
+    const double x = rng_.normal(0.0, kCloudXy), y = rng_.normal(0.0, kCloudXy);
+    bats_.setPose(i, bats_.pose(i) * Pose2{x, y, rng_.normal(0.0, kCloudTheta)});
+  }
+}
+
+void SwarmFilter::fixHere(const Observations& observations) {
+  spreadHere();
+  const auto reach = is_undecided_ ? SwarmReach::kWholeMap : SwarmReach::kNear;
+  const SwarmFix fix = parts_.fixer->fix(bats_, reach, *parts_.move, observations, rng_);
+  if (explains(fix.cost)) {
+    usual_.observe(fix.cost);
+    unexplained_ = 0;
+    candidates_.clear();
+  } else if (++unexplained_ >= options_.swarm_confirm_scans) {
+    return lookElsewhere(observations, fix);
+  }
+  if (fix.cost < kHopeless * parts_.fixer->worst() && !isStrange(fix, observations)) {
+    take(fix, options_.swarm_fuse && !is_undecided_);
   }
 }
 
 void SwarmFilter::fixAnywhere(const Observations& observations) {
   parts_.elsewhere->condition(observations);
   drawElsewhere(0.0);
-  const SwarmFix fix = parts_.fixer->fix(bats_, true, *parts_.move, observations, rng_);
+  const SwarmFix fix =
+      parts_.fixer->fix(bats_, SwarmReach::kWholeMap, *parts_.move, observations, rng_);
   take(fix, false);
   anywhere_ = fix.cost > options_.swarm_explained;
 }
 
+/// Where the swarm found a better place in the last scan, that is looked at; else it spreads.
 void SwarmFilter::lookElsewhere(const Observations& observations, const SwarmFix& here) {
-  parts_.elsewhere->condition(observations);
-  bats_ = here.bats;
-  drawElsewhere(kShareHere);
-  const SwarmFix fix = parts_.fixer->fix(bats_, true, *parts_.move, observations, rng_);
-  const bool is_better =
-      fix.cost <= options_.swarm_explained && fix.cost * options_.swarm_ratio < here.cost;
-  const bool is_certain = options_.swarm_confirm_scans == 1 ||
-                          (candidate_ && areSamePlace(*candidate_, fix.estimate.T_map_base));
-  candidate_.reset();
-  if (options_.swarm_ratio == 0.0 || (is_better && is_certain)) {
-    take(fix, false);
-    if (is_better) unexplained_ = 0;
-    return;
+  const bool is_candidate_right = goesTo(candidates_, observations, here.cost);
+  const int since = unexplained_ - options_.swarm_confirm_scans;
+  if (is_candidate_right) return;
+  candidates_.clear();
+  if (since % kScansPerSpread == 0) {
+    parts_.elsewhere->condition(observations);
+    drawElsewhere(kShareHere);
+    const SwarmFix fix =
+        parts_.fixer->fix(bats_, SwarmReach::kWholeMap, *parts_.move, observations, rng_);
+    if (options_.swarm_ratio == 0.0) return take(fix, false);
+    candidates_ = fix.estimate.modes;
+    candidates_.resize(std::min(candidates_.size(), kCandidates));
+    if (options_.swarm_confirm_scans == 1 && goesTo(candidates_, observations, here.cost)) return;
   }
-  if (is_better) candidate_ = fix.estimate.T_map_base;
-  bats_ = here.bats;
-  if (here.cost < kHopeless * parts_.fixer->worst()) take(here, options_.swarm_fuse);
+  usual_.observe(here.cost);
+  if (here.cost < kHopeless * parts_.fixer->worst() && !isStrange(here, observations)) {
+    take(here, options_.swarm_fuse && !is_undecided_);
+  }
 }
 
-/// A fix is an observation of the pose: x = x + K (z - x), K = P (P + R)^-1, P = (I - K) P.
+/// Goes to the place that explains the scan best, if it is much better than here.
+bool SwarmFilter::goesTo(const std::vector<Mode>& places, const Observations& observations,
+                         double cost_here) {
+  SwarmFix best;
+  best.cost = std::min(options_.swarm_explained, cost_here / options_.swarm_ratio);
+  bool is_found = false;
+  for (const Mode& place : places) {
+    SwarmFix fix = parts_.fixer->fixAt({place.T_map_base, place.covariance, 1.0}, observations);
+    if (fix.cost > best.cost) continue;
+    best = std::move(fix);
+    is_found = true;
+  }
+  if (!is_found) return false;
+  best.bats = drawCloud({best.place(), best.estimate.covariance}, options_.swarm_size, rng_);
+  take(best, false);
+  usual_.observe(best.cost);
+  unexplained_ = 0;
+  candidates_.clear();
+  return true;
+}
+
+/// Whether a fix contradicts odometry though hardly anything speaks for it.
+bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observations) {
+  if (!options_.swarm_fuse || is_fix_asked_ || is_undecided_) return false;
+  const PoseObservation seen = observationOf(estimate_.T_map_base, fix);
+  const double surprise = beliefOf(estimate_.modes.front()).distanceOf(seen);
+  if (seen.innovation.size() == 0 || surprise < kStrange[seen.innovation.size() - 1]) {
+    strange_ = 0;
+    return false;
+  }
+  const double cost_here = parts_.fixer->costOf(estimate_.T_map_base, observations);
+  if (fix.cost * options_.swarm_ratio > cost_here) return true;
+  return ++strange_ < options_.swarm_confirm_scans;
+}
+
+/// A fix that is fused is an observation of the pose; otherwise, or if odometry cannot explain it,
+/// it is where the robot is.
 void SwarmFilter::take(const SwarmFix& fix, bool is_fused) {
   bats_ = fix.bats;
   leaders_ = fix.leaders;
-  is_fix_asked_ = false;
   is_undecided_ = hasSecondPlace(fix.estimate);
-  if (!is_fused || is_undecided_) {
-    estimate_ = fix.estimate;
-    return;
+  Mode start = fix.estimate.modes.front();
+  if (is_fused && !is_undecided_ && strange_ == 0) {
+    start = estimate_.modes.front();
+  } else if (fix.match) {
+    start.T_map_base = fix.match->T_map_base;
+    start.covariance *= kUnsure;
   }
-  const Eigen::Matrix3d& P = estimate_.covariance;
-  const Eigen::Matrix3d S = P + fix.estimate.covariance;
-  const Eigen::Matrix3d K = S.ldlt().solve(P).transpose();
-  const Pose2& odometry = estimate_.T_map_base;
-  const Pose2& found = fix.estimate.T_map_base;
-  const Eigen::Vector3d step = K * Eigen::Vector3d(found.x - odometry.x, found.y - odometry.y,
-                                                   wrapAngle(found.theta - odometry.theta));
-  const Pose2 pose{odometry.x + step.x(), odometry.y + step.y(),
-                   wrapAngle(odometry.theta + step.z())};
-  if (!isFinite(pose)) return;
-  estimate_ = oneMode(pose, mended(P - K * P));
+  strange_ = 0;
+  is_fix_asked_ = false;
+  PoseKalman belief = beliefOf(start);
+  if (fix.match || is_fused) belief.correct(observationOf(start.T_map_base, fix));
+  const Estimate one = oneMode(parts_.fixer->inMap(belief.mean()), belief.covariance());
+  if (is_undecided_) {
+    estimate_ = fix.estimate;
+    estimate_.modes.front() = one.modes.front();
+    estimate_.modes.front().mass = fix.estimate.modes.front().mass;
+    estimate_.T_map_base = one.T_map_base;
+    estimate_.covariance = one.covariance;
+  } else {
+    estimate_ = one;
+  }
 }
 
 }  // namespace adaptive_localization

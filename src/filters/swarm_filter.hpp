@@ -2,11 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
+#include "adaptive_localization/particle/usual_error.hpp"
 #include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
@@ -17,6 +18,7 @@ struct SwarmFilterOptions {
   int swarm_size{400};
   double swarm_fix_deviation{0.0};
   double swarm_explained{0.15};
+  double swarm_unusual{2.0};
   int swarm_confirm_scans{2};
   double swarm_ratio{2.0};
   bool swarm_fuse{true};
@@ -29,6 +31,9 @@ struct SwarmFilterOptions {
            "above this, or a scan is not explained; 0: at every update.");
     option("swarm_explained", swarm_explained, kPositive, "m, 1",
            "A place does not explain a scan if its cost is above this.");
+    option(
+        "swarm_unusual", swarm_unusual, kNotNegative, "",
+        "Nor does it if its cost is this many times the usual one; 0: never mind what is usual.");
     option("swarm_confirm_scans", swarm_confirm_scans, Range{1, 1000}, "",
            "Scans in a row that the robot's place does not explain before the swarm spreads.");
     option("swarm_ratio", swarm_ratio, kNotNegative, "",
@@ -50,13 +55,11 @@ struct SwarmFilterParts {
 
 /// A swarm looks for the pose that explains the scan best, in a narrow cloud where odometry says
 /// the robot is, or everywhere if that is not known; between such fixes the pose rides on odometry
-/// and its covariance grows:
+/// and its covariance grows. A fix is taken for another observation of the pose (PoseKalman), if
+/// odometry and it can both be right or it fits much better, twice in a row.
 ///
-///     P' = F P F^T + Q
-///
-/// A fix is taken for another observation of the pose (Kalman). If no place in the cloud explains
-/// several scans in a row, the swarm spreads; it goes to a place elsewhere if that explains two
-/// scans in a row, and much better.
+/// If no place in the cloud explains several scans in a row, the swarm spreads; the robot goes to a
+/// place elsewhere if that explains that scan and the next, and much better.
 class SwarmFilter : public Filter {
  public:
   SwarmFilter(const SwarmFilterOptions& options, SwarmFilterParts parts, std::uint64_t seed)
@@ -69,12 +72,17 @@ class SwarmFilter : public Filter {
   Particles leaders() const override { return leaders_; }
 
  private:
+  Eigen::Matrix3d cloudCovariance(double xy, double theta) const;
   void drawElsewhere(double share_here);
   void ride(const Pose2& motion);
   bool isFixDue(const Observations& observations) const;
+  bool explains(double cost) const;
+  void spreadHere();
   void fixHere(const Observations& observations);
   void fixAnywhere(const Observations& observations);
   void lookElsewhere(const Observations& observations, const SwarmFix& here);
+  bool goesTo(const std::vector<Mode>& places, const Observations& observations, double cost_here);
+  bool isStrange(const SwarmFix& fix, const Observations& observations);
   void take(const SwarmFix& fix, bool is_fused);
 
   SwarmFilterOptions options_;
@@ -82,11 +90,13 @@ class SwarmFilter : public Filter {
   Rng rng_;
   Particles bats_, leaders_;
   Estimate estimate_;
+  UsualError usual_;  // of map and laser, wherever the robot is: outlives reset()
   bool anywhere_{false};
   bool is_fix_asked_{false};
-  bool is_undecided_{false};        // the bats are in several places
-  int unexplained_{0};              // scans in a row
-  std::optional<Pose2> candidate_;  // explained the last scan much better
+  bool is_undecided_{false};      // the bats are in several places
+  int unexplained_{0};            // scans in a row
+  int strange_{0};                // fixes in a row that odometry does not explain
+  std::vector<Mode> candidates_;  // explained the last scan much better
 };
 
 }  // namespace adaptive_localization

@@ -11,13 +11,15 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kCastPrice = 30.0;      // look-ups that a ray is worth
-constexpr double kTemperature = 0.004;   // m, 1: a place so much worse is e times less likely
-constexpr double kPolishXy = 0.03;       // m, of the cloud that is polished
-constexpr double kPolishTheta = 0.02;    // rad
-constexpr Eigen::Index kPolishers = 40;  // bats
-constexpr double kFloorXy = 0.015;       // m: what map and laser are off by at the least
-constexpr double kFloorTheta = 0.008;    // rad
+constexpr double kCastPrice = 30.0;     // look-ups that a ray is worth
+constexpr double kTemperature = 0.004;  // m, 1: a place so much worse is e times less likely
+constexpr double kAstray =
+    1.5;  // a match whose cost is so many times larger, and more, went astray
+constexpr double kAstrayMore = 0.03;  // m, 1
+constexpr int kNearIterations = 12;   // a narrow cloud needs no more
+constexpr int kNearPatience = 2;
+constexpr double kFloorXy = 0.04;     // m: what a swarm is off by at the least
+constexpr double kFloorTheta = 0.02;  // rad
 
 Eigen::ArrayXXd columnsOf(const Particles& particles) {
   Eigen::ArrayXXd columns(particles.size(), 3);
@@ -75,13 +77,15 @@ void stepBackToBest(Swarm& swarm) {
 
 SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
                        const std::optional<LeaderOptions>& leaders, double max_range,
-                       std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places)
+                       std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places,
+                       std::unique_ptr<ScanMatcher> matcher)
     : options_(options),
       objective_(objective),
       leaders_(leaders),
       max_range_(max_range),
       map_(std::move(map)),
-      places_(std::move(places)) {
+      places_(std::move(places)),
+      matcher_(std::move(matcher)) {
   const Lattice& lattice = map_->lattice();
   const double width = lattice.width() * lattice.resolution();
   const double height = lattice.height() * lattice.resolution();
@@ -105,7 +109,7 @@ Pose2 SwarmFixer::inMap(const Pose2& T_map_base) const {
   return {whole_.inside(0, T_map_base.x), whole_.inside(1, T_map_base.y), T_map_base.theta};
 }
 
-double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observations) {
+double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observations) const {
   Eigen::ArrayXXd position(1, 3);
   position << T_map_base.x, T_map_base.y, T_map_base.theta;
   Eigen::ArrayXd cost(1);
@@ -146,22 +150,31 @@ SearchSpace SwarmFixer::spaceAround(const Eigen::ArrayXXd& positions) const {
   return space;
 }
 
-SwarmFix SwarmFixer::fix(const Particles& start, bool is_anywhere, const SwarmMove& move,
+/// Near by, a match does the rest.
+StopRule SwarmFixer::stopRule(SwarmReach reach, bool is_cast) const {
+  StopRule rule;
+  rule.tolerance = options_.swarm_tolerance;
+  rule.max_iterations = options_.swarm_max_iterations;
+  rule.patience = options_.swarm_patience;
+  if (matcher_ && reach == SwarmReach::kNear) {
+    rule.max_iterations = std::min(rule.max_iterations, kNearIterations);
+    rule.patience = kNearPatience;
+  }
+  rule.max_evaluations =
+      1e6 * options_.swarm_budget / (objective_.swarm_beams * (is_cast ? kCastPrice : 1.0));
+  return rule;
+}
+
+SwarmFix SwarmFixer::fix(const Particles& start, SwarmReach reach, const SwarmMove& move,
                          const Observations& observations, Rng& rng) {
   const auto objective = objectiveFor(observations);
   const bool is_cast = dynamic_cast<const CastObjective*>(objective.get()) != nullptr;
   Particles placed = start;
   for (Eigen::Index i = 0; i < placed.size(); ++i) placed.setPose(i, inMap(placed.pose(i)));
   const Eigen::ArrayXXd positions = columnsOf(placed);
-  const bool is_whole = is_anywhere || options_.wrap_map;
+  const bool is_whole = reach == SwarmReach::kWholeMap || options_.wrap_map;
   Swarm swarm(is_whole ? whole_ : spaceAround(positions), positions, *objective);
-  StopRule rule;
-  rule.tolerance = options_.swarm_tolerance;
-  rule.max_iterations = options_.swarm_max_iterations;
-  rule.patience = options_.swarm_patience;
-  rule.max_evaluations =
-      1e6 * options_.swarm_budget / (objective_.swarm_beams * (is_cast ? kCastPrice : 1.0));
-  const SearchResult result = search(swarm, move, *objective, rule, rng);
+  const SearchResult result = search(swarm, move, *objective, stopRule(reach, is_cast), rng);
   stepBackToBest(swarm);
 
   SwarmFix fix;
@@ -170,38 +183,29 @@ SwarmFix SwarmFixer::fix(const Particles& start, bool is_anywhere, const SwarmMo
   fix.cost = swarm.best_cost;
   fix.iterations = result.iterations;
   if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
-  if (options_.swarm_polish_beams > 0 && !objective->isEmpty()) {
-    polish(move, observations.scan, fix, rng);
-  }
+  if (!objective->isEmpty()) match(observations, fix);
   return fix;
 }
 
-/// The heaviest mode, by exact ranges.
-void SwarmFixer::polish(const SwarmMove& move, const Scan& scan, SwarmFix& fix, Rng& rng) const {
-  RangeObjectiveOptions options = objective_;
-  options.swarm_beams = options_.swarm_polish_beams;
-  const CastObjective exact(options, scan, max_range_, map_);
-  Particles cloud(kPolishers);
-  cloud.setPose(0, fix.estimate.T_map_base);
-  for (Eigen::Index i = 1; i < kPolishers; ++i) {
-    const Pose2& centre = fix.estimate.T_map_base;
-    cloud.setPose(i, {rng.normal(centre.x, kPolishXy), rng.normal(centre.y, kPolishXy),
-                      rng.normal(centre.theta, kPolishTheta)});
-  }
-  const Eigen::ArrayXXd positions = columnsOf(cloud);
-  Swarm swarm(spaceAround(positions), positions, exact);
-  StopRule rule;
-  rule.tolerance = options_.swarm_tolerance;
-  rule.max_iterations = 8;
-  rule.patience = 3;
-  fix.iterations += search(swarm, move, exact, rule, rng).iterations;
-  stepBackToBest(swarm);
-  Estimate polished = estimateOf(particlesOf(swarm));
-  fix.cost = swarm.best_cost;
-  fix.estimate.T_map_base = polished.T_map_base;
-  fix.estimate.covariance = polished.covariance;
-  fix.estimate.modes.front().T_map_base = polished.T_map_base;
-  fix.estimate.modes.front().covariance = polished.covariance;
+SwarmFix SwarmFixer::fixAt(const Mode& place, const Observations& observations) const {
+  SwarmFix fix;
+  fix.estimate = {place.T_map_base, place.covariance, {place}};
+  fix.cost = costOf(place.T_map_base, observations);
+  match(observations, fix);
+  return fix;
+}
+
+/// Costs are by ray casting then: a table's are larger by what it rounds.
+void SwarmFixer::match(const Observations& observations, SwarmFix& fix) const {
+  if (!matcher_) return;
+  fix.cost = costOf(fix.estimate.T_map_base, observations);
+  Match match = matcher_->match(fix.estimate.T_map_base, observations.scan);
+  if (!match.isGood()) return;
+  match.T_map_base = inMap(match.T_map_base);
+  const double cost = costOf(match.T_map_base, observations);
+  if (cost > kAstray * fix.cost + kAstrayMore) return;
+  fix.cost = cost;
+  fix.match = std::move(match);
 }
 
 }  // namespace adaptive_localization

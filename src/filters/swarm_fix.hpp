@@ -6,6 +6,7 @@
 #include <string>
 
 #include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/ser/places.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
@@ -14,7 +15,7 @@ namespace adaptive_localization {
 
 struct SwarmFixOptions {
   std::string swarm_ranges{"table"};
-  int swarm_polish_beams{90};
+  bool swarm_match{true};
   double swarm_tolerance{0.0};
   int swarm_max_iterations{60};
   int swarm_patience{6};
@@ -27,8 +28,9 @@ struct SwarmFixOptions {
         "swarm_ranges", swarm_ranges, Choices{"table", "cast"},
         "Where expected ranges come from: the energy grid's table, once it is made, or exact ray "
         "casting.");
-    option("swarm_polish_beams", swarm_polish_beams, Range{0, 10000}, "",
-           "Beams for a last, local search by exact ray casting round the best place; 0: none.");
+    option("swarm_match", swarm_match,
+           "Align the scan with the map from the best place on; otherwise the swarm's spread tells "
+           "how sure a place is.");
     option("swarm_tolerance", swarm_tolerance, kNotNegative, "m, 1",
            "Cost that is good enough to end a search.");
     option("swarm_max_iterations", swarm_max_iterations, Range{1, 1000000}, "",
@@ -44,29 +46,41 @@ struct SwarmFixOptions {
 
 /// What a swarm found.
 struct SwarmFix {
-  Estimate estimate;
-  double cost;
-  int iterations;
-  Particles bats;     // weighed by their cost
-  Particles leaders;  // of the bats
+  Estimate estimate{};           // of the bats
+  std::optional<Match> match{};  // of the scan, from the heaviest mode on, if it tells something
+  double cost{0.0};              // there, or of the best bat
+  int iterations{0};
+  Particles bats{};     // weighed by their cost
+  Particles leaders{};  // of the bats
+
+  /// The place, by the match if there is one.
+  const Pose2& place() const { return match ? match->T_map_base : estimate.T_map_base; }
 };
+
+/// Where a swarm looks: near where it starts, or all over the map.
+enum class SwarmReach { kNear, kWholeMap };
 
 /// Lets a swarm loose on a scan.
 class SwarmFixer {
  public:
+  /// Without a matcher, places are as good as the swarm finds them.
   SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
              const std::optional<LeaderOptions>& leaders, double max_range,
-             std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places);
+             std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places,
+             std::unique_ptr<ScanMatcher> matcher);
 
-  /// The best poses for a scan, from these on, all over the map or not far from them.
-  SwarmFix fix(const Particles& start, bool is_anywhere, const SwarmMove& move,
+  /// The best poses for a scan, from these on.
+  SwarmFix fix(const Particles& start, SwarmReach reach, const SwarmMove& move,
                const Observations& observations, Rng& rng);
+
+  /// The best pose for a scan next to this one, and its cost; without any swarm.
+  SwarmFix fixAt(const Mode& place, const Observations& observations) const;
 
   /// The same pose, on a torus between the map's ends.
   Pose2 inMap(const Pose2& T_map_base) const;
 
-  /// The cost of a pose.
-  double costOf(const Pose2& T_map_base, const Observations& observations);
+  /// The cost of a pose, by ray casting.
+  double costOf(const Pose2& T_map_base, const Observations& observations) const;
 
   /// The largest cost there is.
   double worst() const;
@@ -74,7 +88,8 @@ class SwarmFixer {
  private:
   std::unique_ptr<RangeObjective> objectiveFor(const Observations& observations);
   SearchSpace spaceAround(const Eigen::ArrayXXd& positions) const;
-  void polish(const SwarmMove& move, const Scan& scan, SwarmFix& fix, Rng& rng) const;
+  StopRule stopRule(SwarmReach reach, bool is_cast) const;
+  void match(const Observations& observations, SwarmFix& fix) const;
 
   SwarmFixOptions options_;
   RangeObjectiveOptions objective_;
@@ -82,6 +97,7 @@ class SwarmFixer {
   double max_range_;
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<Places> places_;
+  std::unique_ptr<ScanMatcher> matcher_;  // may be null
   std::shared_ptr<const EnergyGrid> grid_;
   std::shared_ptr<const RangeRows> rows_;  // of grid_
   SearchSpace whole_;

@@ -5,34 +5,20 @@
 #include <cmath>
 
 #include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/particle/usual_error.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr Eigen::Index kRays = 60;      // are enough for a mean
-constexpr std::size_t kPlaces = 5;      // looked at again with those
-constexpr int kScansPerSearch = 3;      // as long as nothing is found: a search is dear
-constexpr double kLeastUnusual = 0.05;  // m, whatever is usual
-constexpr double kCovered = 0.7;        // share of beams that are too short
+constexpr Eigen::Index kRays = 60;  // are enough for a mean
+constexpr std::size_t kPlaces = 5;  // looked at again with those
+constexpr int kScansPerSearch = 3;  // as long as nothing is found: a search is dear
+constexpr double kCovered = 0.7;    // share of beams that are too short
 
 /// How well a scan fits a pose.
 struct Fit {
   double error;  // mean, truncated, m
   double short_share;
-};
-
-/// The error that there is where the robot is: falls at once, rises by 2 % of itself at the most,
-/// so that a laser that is covered for a while does not become usual.
-class UsualError {
- public:
-  void observe(double error) {
-    const double rise = 0.02 * (std::min(error, 2.0 * value_) - value_);
-    value_ += error < value_ ? 0.2 * (error - value_) : rise;
-  }
-  double value() const { return value_; }
-
- private:
-  double value_{0.05};  // a good map's
 };
 
 class KidnapTest : public Exploration {
@@ -85,9 +71,7 @@ class KidnapTest : public Exploration {
 
   /// The largest error of a particle that explains a scan.
   double mostExplained() const {
-    if (options_.kidnap_unusual == 0.0) return options_.kidnap_mean_abs_error;
-    return std::min(options_.kidnap_mean_abs_error,
-                    std::max(kLeastUnusual, options_.kidnap_unusual * usual_.value()));
+    return usual_.limit(options_.kidnap_unusual, options_.kidnap_mean_abs_error);
   }
 
   /// Whether a place found in the last scan explains this one too: what is before a covered laser
