@@ -13,24 +13,40 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
   plan.resolution = 0.1;
   plan.runs = 6;
   plan.searchers = {20, 2000};
+  plan.starts = {"free", "places"};
+  plan.filters = {"amcl"};
   std::map<std::string, SwarmFixCell> cells;
   for (const auto& cell : raceFixes(plan)) {
-    EXPECT_EQ(cell.runs, 6);
-    EXPECT_LE(cell.iterations, 500.0);
+    ASSERT_EQ(cell.iterations.size(), 6u);
+    EXPECT_LE(cell.meanIterations(), 500.0);
     EXPECT_LT(cell.error_mm, 150.0);
-    cells[cell.move + "/" + std::to_string(cell.searchers)] = cell;
+    cells[cell.start + "/" + cell.core + "/" + std::to_string(cell.searchers)] = cell;
   }
-  EXPECT_EQ(cells.size(), 10u);
-  EXPECT_GE(cells["lbba improved/2000"].found, cells["lbba improved/20"].found);
-  EXPECT_GE(cells["lbba improved/2000"].found, 5);
-  EXPECT_LT(cells["lbba improved/2000"].iterations, cells["ba, right sign/2000"].iterations);
-  EXPECT_THAT(toTable({{"pso", 20, 4, 3, 2, 12.4, 56.78, 1.234}}),
-              testing::HasSubstr("| pso | 20 | 75 | 50 | 12 | 56.8 | 1.23 |"));
+  EXPECT_EQ(cells.size(), 22u);
+  const SwarmFixCell& many = cells["free/lbba improved/2000"];
+  EXPECT_GE(many.found, cells["free/lbba improved/20"].found);
+  EXPECT_GE(many.found, 5);
+  EXPECT_LT(many.meanIterations(), cells["free/ba, right sign/2000"].meanIterations());
+  EXPECT_EQ(cells["places/lbba improved/2000"].found, 6);
+  EXPECT_GE(cells["its own/amcl/2000"].found, 3);
 }
 
-TEST(SwarmFixes, NameTheWorldThatIsNotThere) {
+TEST(SwarmFixes, AreToldInATable) {
+  const std::string table =
+      toTable({{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 1.234},
+               {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 2.0}});
+  EXPECT_THAT(table,
+              testing::HasSubstr("| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 1.23 |"));
+  EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.062 |"));
+}
+
+TEST(SwarmFixes, NameTheWorldOrStartThatIsNotThere) {
   SwarmFixPlan plan;
   plan.world = "nosuch.yaml";
+  EXPECT_THROW(raceFixes(plan), std::invalid_argument);
+  plan.world = SOURCE_DIR "/maps/simple/world.yaml";
+  plan.resolution = 0.2;
+  plan.starts = {"nowhere"};
   EXPECT_THROW(raceFixes(plan), std::invalid_argument);
 }
 

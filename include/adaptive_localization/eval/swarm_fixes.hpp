@@ -19,16 +19,18 @@ struct SwarmRacer {
 /// improved, and the particle swarm.
 std::vector<SwarmRacer> swarmRacers();
 
-/// Fixes by one kind of swarm of one size.
+/// Fixes from one kind of start by one kind of swarm, or filter, of one size.
 struct SwarmFixCell {
-  std::string move;
+  std::string start, core;
   int searchers{0};
   int runs{0};
-  int found{0};            // within 0.15 m and 5 degrees
-  int reached{0};          // the tolerance
-  double iterations{0.0};  // mean
-  double error_mm{0.0};    // mean of those found
+  int reached{0};                 // the tolerance
+  int found{0};                   // within 0.15 m and 5 degrees
+  std::vector<int> iterations{};  // of each run, by seed; of a filter: updates
+  double error_mm{0.0};           // mean of those found
   double ms_median{0.0};
+
+  double meanIterations() const;
 };
 
 struct SwarmFixPlan {
@@ -36,15 +38,21 @@ struct SwarmFixPlan {
   double resolution{0.05};  // m, of the map
   int runs{30};
   std::vector<int> searchers{20, 400, 800, 1200, 1600, 2000};
+  std::vector<std::string> starts{"free", "ser", "places"};  // as the option `elsewhere`
+  std::vector<std::string> filters{"amcl", "sa_kld"};        // to compare with
   bool is_torus{false};
 };
 
-/// Experiments E8 to E11: one scan of 11 beams with 31 mm of noise, taken anywhere, and a swarm
-/// spread over all free space, the same for all kinds; until 3 per cent of mean relative deviation
-/// or for 500 iterations. On one thread; ranges come from a table that is not timed.
+/// Experiments E8 to E11: a laser that stands anywhere, scans of 11 beams with 31 mm of noise, and
+/// searchers that are the same for all kinds of swarms: spread over all free space, over the scan's
+/// SER, or round the places of the global search, which look at all beams. It ends at 3 per cent of
+/// mean relative deviation or after 500 iterations. Filters are updated with scan after scan from
+/// the same place, until their estimate is as good. On one thread; what is made once for a map is
+/// not timed.
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan);
 
-/// In Markdown.
+/// In Markdown; at the end, for each start and number, how likely the improved leaders need fewer
+/// iterations than the bats with the right sign by chance only (sign test).
 std::string toTable(const std::vector<SwarmFixCell>& cells);
 
 }  // namespace adaptive_localization
