@@ -110,13 +110,12 @@ void DriveBound::predict(const Pose2& T_map_base) {
   has_moved_ = true;
 }
 
-void DriveBound::scan(const Pose2& T_map_base) {
+ScanBounds DriveBound::scan(const Pose2& T_map_base) {
   predict(T_map_base);
   const Matrix3d seen = rangeInformation(*world_, T_map_base, {laser_.laser_x, 0.0, 0.0}, bearings_,
                                          laser_.laser_max_range, sigma_);
-  of_scan_ = boundOf(seen + anywhere());
   information_ += seen;
-  of_drive_ = boundOf(information_);
+  return {boundOf(seen + anywhere()), boundOf(information_)};
 }
 
 }  // namespace adaptive_localization

@@ -11,9 +11,10 @@
 namespace adaptive_localization {
 namespace {
 
-const std::set<std::string> kCaseKeys{"label",       "world",      "map",      "route",  "start",
-                                      "start_known", "simulation", "duration", "events", "success",
-                                      "probes",      "half_turn",  "options",  "cores",  "seeds"};
+const std::set<std::string> kCaseKeys{"label",       "world",  "map",        "route",     "start",
+                                      "start_known", "told",   "simulation", "duration",  "events",
+                                      "success",     "probes", "bounds",     "half_turn", "options",
+                                      "cores",       "seeds"};
 
 std::set<std::string> with(std::set<std::string> keys, const std::set<std::string>& more) {
   keys.insert(more.begin(), more.end());
@@ -83,7 +84,7 @@ std::vector<ExperimentCore> readCores(const YamlValue& value, const Overrides& o
   std::vector<ExperimentCore> cores;
   for (const auto& entry : value.at("cores").list("a list of cores")) {
     cores.push_back(readCore(entry));
-    if (value.has("options")) cores.back().parameters.fill(value.at("options").parameters());
+    if (value.has("options")) cores.back().parameters.fill(readOptions(value.at("options")));
     addOptions(overrides, cores.back().parameters);
   }
   checkLabels(cores, value.at("cores"));
@@ -111,6 +112,7 @@ ExperimentCase readCase(const YamlValue& value, const Overrides& overrides) {
   if (value.has("probes")) {
     result.probes = value.at("probes").numbers(0, "a list of moments in seconds");
   }
+  if (value.has("bounds")) result.has_bounds = value.at("bounds").truth();
   if (value.has("half_turn")) {
     const auto centre = value.at("half_turn").numbers(2, "a point [x, y] in metres");
     result.half_turn = Pose2{centre[0], centre[1], 0.0};

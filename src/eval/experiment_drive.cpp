@@ -49,6 +49,7 @@ ExperimentDrive::ExperimentDrive(const ExperimentSite& site, const ExperimentCas
   std::stable_sort(due_.begin(), due_.end(),
                    [](const Due& a, const Due& b) { return a.at < b.at; });
   simulation_.kidnap(draw(of_case.start));
+  told_ = of_case.told ? draw(*of_case.told) : truth();
 }
 
 Pose2 ExperimentDrive::draw(const Spot& place) {
@@ -62,6 +63,26 @@ Pose2 ExperimentDrive::draw(const Spot& place) {
   }
   throw std::invalid_argument("no place where the robot can stand in the regions given for it, " +
                               std::to_string(place.farther_than) + " m or more from where it was");
+}
+
+Pose2 ExperimentDrive::draw(const WrongStart& told) {
+  if (told.pose) return *told.pose;
+  constexpr int kTries = 10000;
+  for (int i = 0; i < kTries; ++i) {
+    const double direction = rng_.uniform(-kPi, kPi);
+    const Eigen::Vector2d spot(truth().x + told.off_by * std::cos(direction),
+                               truth().y + told.off_by * std::sin(direction));
+    if (told.off_by > 0.0 && !free_space_->contains(spot)) continue;
+    return {spot.x(), spot.y(), wrapAngle(truth().theta + told.turned_by)};
+  }
+  throw std::invalid_argument("no place where the robot could stand " +
+                              std::to_string(told.off_by) + " m from where it stands");
+}
+
+/// The mean since the scan before.
+BaseVelocity ExperimentDrive::velocityUntil(const Pose2& T_odom_base) const {
+  const Pose2 motion = between(T_odom_last_scan_, T_odom_base);
+  return {motion.x / scan_period_, motion.y / scan_period_, motion.theta / scan_period_};
 }
 
 std::optional<DriveScan> ExperimentDrive::next() {
@@ -80,6 +101,8 @@ std::optional<DriveScan> ExperimentDrive::next() {
     scan.scan = blocked(std::move(scan.scan));
     scan.scan.stamp = time();
     scan.T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
+    scan.velocity = velocityUntil(scan.T_odom_base);
+    T_odom_last_scan_ = scan.T_odom_base;
     scan.T_map_base = truth();
     scan.put_down = put_down_;
     put_down_.reset();
@@ -123,6 +146,7 @@ DriveScan ExperimentDrive::carriedScan() {
   DriveScan scan;
   scan.scan = carriedReadings();
   scan.T_odom_base = carry_->T_odom_base * Pose2{0.0, 0.0, carry_->turn * share};
+  T_odom_last_scan_ = scan.T_odom_base;
   if (time() >= carry_->until - kSoon) putDown();
   return scan;
 }

@@ -11,6 +11,7 @@ namespace adaptive_localization {
 struct DriveScan {
   LaserScan scan;
   Pose2 T_odom_base;
+  BaseVelocity velocity;            // by odometry, since the scan before
   std::optional<Pose2> T_map_base;  // none while the robot is off the floor
   bool is_lifted{false};            // it was, since the scan before
   std::optional<double> put_down;   // s, when it was put down, since the scan before
@@ -26,6 +27,7 @@ class ExperimentDrive {
   std::optional<DriveScan> next();
 
   const Pose2& truth() const { return simulation_.truth(); }  // T_map_base
+  const Pose2& told() const { return told_; }                 // of the start, for T_map_base
   Pose2 laserMount() const { return simulation_.laserMount(); }
 
  private:
@@ -43,6 +45,8 @@ class ExperimentDrive {
 
   double time() const { return simulation_.time() + carried_; }
   Pose2 draw(const Spot& place);
+  Pose2 draw(const WrongStart& told);
+  BaseVelocity velocityUntil(const Pose2& T_odom_base) const;
   void startDueEvents();
   void start(const ExperimentEvent& event);
   DriveScan carriedScan();
@@ -60,6 +64,8 @@ class ExperimentDrive {
   Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
   std::optional<double> put_down_;
   LaserScan last_scan_;
+  Pose2 T_odom_last_scan_;
+  Pose2 told_;
 };
 
 }  // namespace adaptive_localization

@@ -11,6 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
+constexpr double kSoon = 1e-6;  // s
 
 double headingError(const Pose2& a, const Pose2& b) {
   return std::abs(wrapAngle(a.theta - b.theta));
@@ -63,6 +64,7 @@ void ExperimentJudge::begin(Trial::Kind kind, double at, const Pose2& T_map_base
   trial.kind = kind;
   trial.at = at;
   trial.T_map_base = T_map_base;
+  trial.within_s = rule_.within;
   result_.trials.push_back(trial);
   has_trial_ = true;
 }
@@ -104,6 +106,8 @@ void ExperimentJudge::noteTrial(const JudgedScan& scan, bool is_right) {
   if (!is_right && !trial.found_s) {
     ++trial.searching;
     trial.searching_tracking += status == Status::kTracking;
+    const bool is_late = rule_.within && scan.stamp - trial.at > *rule_.within + kSoon;
+    trial.late_tracking += is_late && status == Status::kTracking;
     trial.searching_ambiguous += status == Status::kAmbiguous;
   }
   right_.note(is_right, scan.stamp);
@@ -117,6 +121,7 @@ void ExperimentJudge::noteTrial(const JudgedScan& scan, bool is_right) {
   if (trial.found_s) {
     errors_m_.push_back(error);
     errors_rad_.push_back(heading_error);
+    accuracy_.observe(scan.stamp, scan.answer, *scan.T_map_base, scan.bounds);
   }
   trial.end_status = toText(status);
   trial.end_error_m = error;
@@ -179,6 +184,7 @@ ExperimentResult ExperimentJudge::finish() {
   result_.rms_m = rms(errors_m_);
   result_.rms_deg = kDegrees * rms(errors_rad_);
   result_.max_m = largest(errors_m_);
+  result_.accuracy = accuracy_.finish();
   result_.particles_mean = mean(counts_);
   result_.particles_max = static_cast<int>(largest(counts_));
   result_.update_ms_median = quantile(times_, 0.5);

@@ -7,6 +7,7 @@
 #include "adaptive_localization/eval/experiment.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/localizer.hpp"
+#include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {
 
@@ -18,6 +19,7 @@ struct JudgedScan {
   Localization answer;
   int particles{0};
   double update_ms{0.0};
+  std::optional<ScanBounds> bounds;
 };
 
 /// Watches a run and keeps the record.
@@ -62,6 +64,7 @@ class ExperimentJudge {
   bool is_settled_{false};
   std::optional<JudgedScan> before_;
   std::vector<double> errors_m_, errors_rad_, times_, counts_;
+  AccuracyJudge accuracy_;
   double first_masses_{0.0}, second_masses_{0.0};
   int ambiguous_{0}, both_{0}, judged_modes_{0};
 };

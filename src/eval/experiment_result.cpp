@@ -57,6 +57,7 @@ void visitTrial(Stored& trial, Item&& item) {
   item("scans", trial.scans);
   item("searching", trial.searching);
   item("searching_tracking", trial.searching_tracking);
+  item("late_tracking", trial.late_tracking);
   item("searching_ambiguous", trial.searching_ambiguous);
   item("end_status", trial.end_status);
   item("end_error_m", trial.end_error_m);
@@ -70,12 +71,47 @@ Json toJson(const Trial& trial) {
   json["pose"] = {trial.T_map_base.x, trial.T_map_base.y, trial.T_map_base.theta};
   json["found_s"] = toJson(trial.found_s);
   json["told_s"] = toJson(trial.told_s);
+  json["within_s"] = toJson(trial.within_s);
   visitTrial(trial, [&](const char* key, const auto& value) { json[key] = value; });
   return json;
 }
 
+/// Calls item(key, member) for all that may be missing.
+template <class Stored, class Item>
+void visitOptional(Stored& accuracy, Item&& item) {
+  item("normalized_mean", accuracy.normalized_mean);
+  item("scan_bound_m", accuracy.scan_bound_m);
+  item("scan_bound_deg", accuracy.scan_bound_deg);
+  item("drive_bound_m", accuracy.drive_bound_m);
+  item("drive_bound_deg", accuracy.drive_bound_deg);
+}
+
+Json toJson(const Accuracy& accuracy) {
+  Json json;
+  json["scans"] = accuracy.scans;
+  json["mean_m"] = accuracy.mean_m;
+  json["mean_deg"] = accuracy.mean_deg;
+  json["normalized"] = Json::array();
+  for (const auto& value : accuracy.normalized) json["normalized"].push_back(toJson(value));
+  visitOptional(accuracy, [&](const char* key, const auto& value) { json[key] = toJson(value); });
+  return json;
+}
+
+Accuracy toAccuracy(const Json& json) {
+  Accuracy accuracy;
+  json.at("scans").get_to(accuracy.scans);
+  json.at("mean_m").get_to(accuracy.mean_m);
+  json.at("mean_deg").get_to(accuracy.mean_deg);
+  for (const auto& value : json.at("normalized")) {
+    accuracy.normalized.push_back(toOptional(value));
+  }
+  visitOptional(accuracy, [&](const char* key, auto& value) { value = toOptional(json.at(key)); });
+  return accuracy;
+}
+
 Trial::Kind toKind(const std::string& text) {
-  for (const auto kind : {Trial::Kind::kKnownStart, Trial::Kind::kStart, Trial::Kind::kKidnap}) {
+  for (const auto kind : {Trial::Kind::kKnownStart, Trial::Kind::kWrongStart, Trial::Kind::kStart,
+                          Trial::Kind::kKidnap}) {
     if (toText(kind) == text) return kind;
   }
   throw std::invalid_argument("'kind': got '" + text + "'");
@@ -88,6 +124,7 @@ Trial toTrial(const Json& json) {
   trial.T_map_base = {pose.at(0), pose.at(1), pose.at(2)};
   trial.found_s = toOptional(json.at("found_s"));
   trial.told_s = toOptional(json.at("told_s"));
+  trial.within_s = toOptional(json.at("within_s"));
   visitTrial(trial, [&](const char* key, auto& value) { json.at(key).get_to(value); });
   return trial;
 }
@@ -98,6 +135,8 @@ std::string toText(Trial::Kind kind) {
   switch (kind) {
     case Trial::Kind::kKnownStart:
       return "known start";
+    case Trial::Kind::kWrongStart:
+      return "wrong start";
     case Trial::Kind::kStart:
       return "start";
     default:
@@ -114,6 +153,7 @@ std::string toLine(const ExperimentResult& result) {
   json["settings"] = result.id.settings;
   visit(result, [&](const char* key, const auto& value) { json[key] = value; });
   json["both_share"] = toJson(result.both_share);
+  json["accuracy"] = toJson(result.accuracy);
   json["trials"] = Json::array();
   for (const auto& trial : result.trials) json["trials"].push_back(toJson(trial));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -130,6 +170,7 @@ ExperimentResult fromLine(const std::string& line) {
     json.at("settings").get_to(result.id.settings);
     visit(result, [&](const char* key, auto& value) { json.at(key).get_to(value); });
     result.both_share = toOptional(json.at("both_share"));
+    result.accuracy = toAccuracy(json.at("accuracy"));
     for (const auto& trial : json.at("trials")) result.trials.push_back(toTrial(trial));
     return result;
   } catch (const std::exception& error) {

@@ -33,11 +33,11 @@ std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const Exper
   return std::make_unique<Localizer>(parameters, site.map, site.distance_field);
 }
 
-Prior priorOf(const ExperimentCase& of_case, const Pose2& truth) {
+Prior priorOf(const ExperimentCase& of_case, const Pose2& told) {
   if (!of_case.is_start_known) return Anywhere{};
   const StartOptions options;
   Gaussian2 prior;
-  prior.mean = truth;
+  prior.mean = told;
   prior.covariance.diagonal() << options.initial_cov_xx, options.initial_cov_yy,
       options.initial_cov_aa;
   return prior;
@@ -47,7 +47,7 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   const double start = threadMilliseconds();
   Observations observations;
   observations.stamp = seen.scan.stamp;
-  observations.scan = toScan(seen.scan, mount, localizer.scanOptions());
+  observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
   judged.update_ms = threadMilliseconds() - start;
@@ -56,6 +56,21 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   judged.T_map_base = seen.T_map_base;
   judged.particles = static_cast<int>(localizer.hypotheses().size());
   return judged;
+}
+
+Trial::Kind startOf(const ExperimentCase& of_case) {
+  if (of_case.told) return Trial::Kind::kWrongStart;
+  return of_case.is_start_known ? Trial::Kind::kKnownStart : Trial::Kind::kStart;
+}
+
+/// The bounds of errors on the way, where the experiment wants them. What the localizer is told of
+/// the start is no knowledge where it is wrong.
+std::optional<DriveBound> makeBound(const ExperimentSite& site, const ExperimentCase& of_case,
+                                    const Prior& prior) {
+  if (!of_case.has_bounds) return std::nullopt;
+  const SimulationOptions options = SimulationOptions::from(of_case.simulation);
+  return DriveBound(site.site.world, options.laser, options.odometry,
+                    of_case.told ? Prior(Anywhere{}) : prior);
 }
 
 }  // namespace
@@ -90,13 +105,17 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
   const auto localizer = makeLocalizer(site, core, seed);
   const LaserMount mount = LaserMount::level(drive.laserMount());
   ExperimentJudge judge(of_case);
-  judge.begin(of_case.is_start_known ? Trial::Kind::kKnownStart : Trial::Kind::kStart, 0.0,
-              drive.truth());
-  localizer->reset(priorOf(of_case, drive.truth()));
+  judge.begin(startOf(of_case), 0.0, drive.truth());
+  const Prior prior = priorOf(of_case, drive.told());
+  localizer->reset(prior);
+  auto bound = makeBound(site, of_case, prior);
   while (const auto seen = drive.next()) {
     if (seen->is_lifted) judge.lift();
     if (seen->put_down) judge.begin(Trial::Kind::kKidnap, *seen->put_down, drive.truth());
-    judge.observe(update(*localizer, *seen, mount));
+    JudgedScan judged = update(*localizer, *seen, mount);
+    if (bound && seen->put_down) bound->restart();
+    if (bound && seen->T_map_base) judged.bounds = bound->scan(*seen->T_map_base);
+    judge.observe(judged);
   }
   ExperimentResult result = judge.finish();
   result.filter = localizer->options().filter;

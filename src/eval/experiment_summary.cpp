@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "adaptive_localization/eval/metrics.hpp"
+#include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -95,6 +96,13 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
   row.right_at_end = shareOf(trials, [](const Trial& t) {
     return t.end_error_m < kLostDistance && t.end_error_deg < kLostHeading * 180.0 / kPi;
   });
+  std::vector<Trial> limited;
+  std::copy_if(trials.begin(), trials.end(), std::back_inserter(limited),
+               [](const Trial& t) { return t.within_s.has_value(); });
+  const auto in_time = [](const Trial& t) { return t.found_s && *t.found_s <= *t.within_s; };
+  row.in_time = shareOf(limited, in_time);
+  row.in_time_or_flagged =
+      shareOf(limited, [&](const Trial& t) { return in_time(t) || t.late_tracking == 0; });
   const auto early = valuesOf(trials, [](const Trial& t) { return t.searching_tracking; });
   row.told_early_median = quantile(early, 0.5);
   row.told_early_most = largest(early);
@@ -187,6 +195,7 @@ ExperimentSummary summarizeRow(const Results& runs) {
   addHonesty(runs, row);
   addModes(runs, row);
   addErrors(runs, row);
+  row.accuracy = summarizeAccuracy(runs);
   addEffort(runs, row);
   return row;
 }

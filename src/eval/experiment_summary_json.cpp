@@ -21,6 +21,24 @@ Json toJson(const Share& share) {
   return json;
 }
 
+Json toJson(const AccuracySummary& accuracy) {
+  Json json;
+  json["runs"] = accuracy.runs;
+  json["mean_m"] = accuracy.mean_m;
+  json["mean_deg"] = accuracy.mean_deg;
+  json["worst_mean_m"] = accuracy.worst_mean_m;
+  json["rms_m"] = accuracy.rms_m;
+  json["rms_deg"] = accuracy.rms_deg;
+  json["bound_of_scan"]["m"] = toJson(accuracy.scan_bound_m);
+  json["bound_of_scan"]["deg"] = toJson(accuracy.scan_bound_deg);
+  json["bound_of_drive"]["m"] = toJson(accuracy.drive_bound_m);
+  json["bound_of_drive"]["deg"] = toJson(accuracy.drive_bound_deg);
+  json["nees"]["mean"] = toJson(accuracy.normalized);
+  json["nees"]["band"] = {accuracy.band.low, accuracy.band.high};
+  json["nees"]["seconds_in_band"] = accuracy.seconds_in_band;
+  return json;
+}
+
 }  // namespace
 
 nlohmann::json toJson(const ExperimentSummary& row) {
@@ -39,6 +57,8 @@ nlohmann::json toJson(const ExperimentSummary& row) {
   json["silent_failures"] = toJson(row.silent_failures);
   json["found_clear_s"]["median"] = toJson(row.clear_median_s);
   json["found_clear_s"]["p95"] = toJson(row.clear_p95_s);
+  json["in_time"] = toJson(row.in_time);
+  json["in_time_or_flagged"] = toJson(row.in_time_or_flagged);
   json["right_at_end"] = toJson(row.right_at_end);
   json["told_early_scans"]["median"] = row.told_early_median;
   json["told_early_scans"]["max"] = row.told_early_most;
@@ -62,6 +82,7 @@ nlohmann::json toJson(const ExperimentSummary& row) {
   json["error"]["max_m"] = row.max_m;
   json["error"]["probe_mean_m"] = row.probe_mean_m;
   json["error"]["probe_std_m"] = row.probe_std_m;
+  json["accuracy"] = toJson(row.accuracy);
   json["particles"]["first"] = row.particles_first;
   json["particles"]["mean"] = row.particles_mean;
   json["particles"]["max"] = row.particles_max;

@@ -59,6 +59,8 @@ std::vector<std::pair<std::string, Cell>> findingColumns() {
          if (r.found.of == 0) return std::string();
          return fixed(r.told_early_median, 0) + ", " + fixed(r.told_early_most, 0);
        }},
+      {"in time", [](const Row& r) { return countOf(r.in_time); }},
+      {"in time or flagged", [](const Row& r) { return countOf(r.in_time_or_flagged); }},
       {"right at the end", [](const Row& r) { return countOf(r.right_at_end); }},
       {"says tracking at the end, wrongly",
        [](const Row& r) { return countOf(r.silent_failures); }},
@@ -88,6 +90,43 @@ std::vector<std::pair<std::string, Cell>> honestyColumns() {
        [](const Row& r) { return r.both_at_end.of ? percent(r.both_share) : ""; }},
       {"says tracking: of the scans",
        [](const Row& r) { return r.both_at_end.of ? percent(r.tracking_share) : ""; }},
+  };
+}
+
+/// A number of millimetres or degrees with those of the bounds; empty without bounds.
+std::string besideBounds(double value, double factor, const std::optional<double>& of_scan,
+                         const std::optional<double>& of_drive, int digits) {
+  if (!of_scan || !of_drive) return "";
+  return fixed(factor * value, digits) + "; " + fixed(factor * *of_scan, digits) + ", " +
+         fixed(factor * *of_drive, digits);
+}
+
+std::vector<std::pair<std::string, Cell>> accuracyColumns() {
+  return {
+      {"mean error, mm (worst run), deg",
+       [](const Row& r) {
+         const auto& a = r.accuracy;
+         if (!a.scan_bound_m) return std::string();
+         return fixed(1e3 * a.mean_m, 1) + " (" + fixed(1e3 * a.worst_mean_m, 1) + "), " +
+                fixed(a.mean_deg, 2);
+       }},
+      {"rms error, mm; bound of a scan, of the drive",
+       [](const Row& r) {
+         const auto& a = r.accuracy;
+         return besideBounds(a.rms_m, 1e3, a.scan_bound_m, a.drive_bound_m, 1);
+       }},
+      {"rms error, deg; bound of a scan, of the drive",
+       [](const Row& r) {
+         const auto& a = r.accuracy;
+         return besideBounds(a.rms_deg, 1.0, a.scan_bound_deg, a.drive_bound_deg, 3);
+       }},
+      {"NEES; 95 % band; seconds in it",
+       [](const Row& r) {
+         const auto& a = r.accuracy;
+         if (!a.normalized || !a.scan_bound_m) return std::string();
+         return fixed(*a.normalized, 2) + "; " + fixed(a.band.low, 2) + "–" +
+                fixed(a.band.high, 2) + "; " + percent(a.seconds_in_band, 0);
+       }},
   };
 }
 
@@ -121,7 +160,7 @@ std::string toTable(const std::vector<const Row*>& rows) {
       {"case", [](const Row& r) { return r.of_case; }},
       {"core", [](const Row& r) { return r.label; }},
       {"runs", [](const Row& r) { return std::to_string(r.runs); }}};
-  for (const auto& more : {findingColumns(), honestyColumns(), costColumns()}) {
+  for (const auto& more : {findingColumns(), honestyColumns(), accuracyColumns(), costColumns()}) {
     for (const auto& column : more) {
       const bool says_something = std::any_of(
           rows.begin(), rows.end(), [&](const Row* row) { return !column.second(*row).empty(); });

@@ -59,6 +59,19 @@ Parameters readSimulation(const YamlValue& value) {
   return parameters;
 }
 
+WrongStart readTold(const YamlValue& value) {
+  WrongStart told;
+  if (value.node().IsSequence()) {
+    const auto pose = value.numbers(3, "[x, y, yaw] in metres and radians");
+    told.pose = Pose2{pose[0], pose[1], pose[2]};
+    return told;
+  }
+  value.allowOnly({"off_by", "turned_by"});
+  if (value.has("off_by")) told.off_by = value.at("off_by").number({0.0, 1e4});
+  if (value.has("turned_by")) told.turned_by = value.at("turned_by").number({-kPi, kPi});
+  return told;
+}
+
 void readRegions(const YamlValue& value, Spot& place) {
   for (const auto& entry : value.list("a list of rectangles [x, y, x, y]")) {
     const auto corners = entry.numbers(4, "a rectangle [x, y, x, y] in metres");
@@ -106,6 +119,11 @@ Spot readSpot(const YamlValue& value) {
 void readDrive(const YamlValue& value, ExperimentCase& result) {
   if (value.has("start")) result.start = readSpot(value.at("start"));
   if (value.has("start_known")) result.is_start_known = value.at("start_known").truth();
+  if (value.has("told")) result.told = readTold(value.at("told"));
+  if (result.told && value.has("start_known") && !result.is_start_known) {
+    value.at("start_known").reject("true, or nothing, beside told");
+  }
+  result.is_start_known = result.is_start_known || result.told;
   if (value.has("route")) result.route = readRoute(value.at("route"));
   if (value.has("simulation")) result.simulation = readSimulation(value.at("simulation"));
   if (!result.simulation.has("drive")) result.simulation.set("drive", OptionValue(true));
@@ -142,12 +160,23 @@ ExperimentEvent readEvent(const YamlValue& value) {
 }
 
 SuccessRule readSuccess(const YamlValue& value) {
-  value.allowOnly({"position", "heading", "scans"});
+  value.allowOnly({"position", "heading", "scans", "within"});
   SuccessRule rule;
   if (value.has("position")) rule.position = value.at("position").number({1e-3, 100.0});
   if (value.has("heading")) rule.heading = value.at("heading").number({1e-3, 180.0}) * kDegree;
   if (value.has("scans")) rule.scans = value.at("scans").whole({1, 1000});
+  if (value.has("within")) rule.within = value.at("within").number({0.0, 1e6});
   return rule;
+}
+
+Parameters readOptions(const YamlValue& value) {
+  Parameters parameters = value.parameters();
+  for (const char* key : {"line_map"}) {
+    if (!parameters.has(key)) continue;
+    const YamlValue file = value.at(key);
+    if (!file.text().empty()) parameters.set(key, OptionValue(resolve(file)));
+  }
+  return parameters;
 }
 
 ExperimentCore readCore(const YamlValue& value) {
@@ -155,7 +184,7 @@ ExperimentCore readCore(const YamlValue& value) {
   ExperimentCore core;
   const std::string filter = value.at("filter").text();
   core.label = value.has("label") ? value.at("label").text() : filter;
-  if (value.has("options")) core.parameters = value.at("options").parameters();
+  if (value.has("options")) core.parameters = readOptions(value.at("options"));
   for (const char* key : {"filter", "preset", "seed", "threads"}) {
     if (core.parameters.has(key)) value.at("options").at(key).reject("it beside options, or not");
   }

@@ -9,13 +9,16 @@ namespace adaptive_localization {
 
 void readWorld(const YamlValue& value, ExperimentCase& result);
 
-/// Start, route, robot and duration.
+/// Start and what is told of it, route, robot and duration.
 void readDrive(const YamlValue& value, ExperimentCase& result);
 
 Spot readSpot(const YamlValue& value);
 ExperimentEvent readEvent(const YamlValue& value);
 SuccessRule readSuccess(const YamlValue& value);
 ExperimentCore readCore(const YamlValue& value);
+
+/// Options of cores; a file that one names is looked for from the place of the experiment's.
+Parameters readOptions(const YamlValue& value);
 
 /// A hash of what a case says, its world and its map, but for labels, cores and seeds.
 std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case);

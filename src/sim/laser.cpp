@@ -50,7 +50,7 @@ float Laser::measure(const Pose2& T_map_ray, const Caster& cast) {
   return static_cast<float>(std::max(range, 0.0));
 }
 
-LaserScan Laser::scan(const Pose2& T_map_base, const Caster& cast) {
+LaserScan Laser::scan(const Pose2& T_map_base, const Caster& cast, const Velocity& velocity) {
   constexpr double kTurnsPerSecond = 75.0;
   const double degree = kPi / 180.0;
   LaserScan scan;
@@ -66,10 +66,10 @@ LaserScan Laser::scan(const Pose2& T_map_base, const Caster& cast) {
   scan.time_increment = scan.angle_increment / (2.0 * kPi) / kTurnsPerSecond;
   scan.range_max = options_.laser_max_range * 1.0125;  // 81 and 8.1, as the driver says
 
-  const Pose2 T_map_laser = T_map_base * mount();
   scan.ranges.reserve(static_cast<std::size_t>(beams));
   for (int i = 0; i < beams; ++i) {
     const double bearing = scan.angle_min + i * scan.angle_increment;
+    const Pose2 T_map_laser = T_map_base * arc(velocity, i * scan.time_increment) * mount();
     scan.ranges.push_back(measure(T_map_laser * Pose2{0.0, 0.0, bearing}, cast));
   }
   return scan;

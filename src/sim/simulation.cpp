@@ -131,9 +131,10 @@ void Simulation::move() {
 }
 
 void Simulation::scan() {
-  LaserScan scan = laser_.scan(T_map_base_, [this](const Pose2& T_map_ray, double max_range) {
+  const auto cast = [this](const Pose2& T_map_ray, double max_range) {
     return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
-  });
+  };
+  LaserScan scan = laser_.scan(T_map_base_, cast, base_.velocity());
   scan.stamp = time() + options_.laser.laser_latency;
   on_the_wire_.push_back(std::move(scan));
 }

@@ -97,15 +97,15 @@ LaserOptions noisyLaser() {
 TEST(ErrorBound, FallsAsScansComeInWhereARobotStands) {
   DriveBound bound(room(4.0, 3.0), noisyLaser(), {}, Anywhere{});
   const Pose2 pose{1.0, 1.2, 0.3};
-  bound.scan(pose);
-  const double alone = bound.ofScan().position;
-  EXPECT_NEAR(bound.ofDrive().position, alone, 1e-4 * alone);
-  for (int i = 1; i < 16; ++i) bound.scan(pose);
-  EXPECT_NEAR(bound.ofDrive().position, alone / 4.0, 1e-3 * alone) << "one over root n";
-  EXPECT_DOUBLE_EQ(bound.ofScan().position, alone);
+  const ScanBounds first = bound.scan(pose);
+  const double alone = first.of_scan.position;
+  EXPECT_NEAR(first.of_drive.position, alone, 1e-4 * alone);
+  for (int i = 2; i < 16; ++i) bound.scan(pose);
+  const ScanBounds last = bound.scan(pose);
+  EXPECT_NEAR(last.of_drive.position, alone / 4.0, 1e-3 * alone) << "one over root n";
+  EXPECT_DOUBLE_EQ(last.of_scan.position, alone);
   bound.restart();
-  bound.scan(pose);
-  EXPECT_NEAR(bound.ofDrive().position, alone, 1e-4 * alone) << "the past is of no use";
+  EXPECT_NEAR(bound.scan(pose).of_drive.position, alone, 1e-4 * alone) << "the past is of no use";
 }
 
 TEST(ErrorBound, GrowsWithTheWheelsNoiseOnTheWay) {
@@ -116,13 +116,14 @@ TEST(ErrorBound, GrowsWithTheWheelsNoiseOnTheWay) {
   Gaussian2 known;
   known.covariance = 1e-12 * Eigen::Matrix3d::Identity();
   DriveBound bound(room(100.0, 100.0), blind, odometry, known);
-  for (int i = 0; i <= 100; ++i) bound.scan({40.0 + 0.1 * i, 50.0, 0.0});
+  ErrorBound end;
+  for (int i = 0; i <= 100; ++i) end = bound.scan({40.0 + 0.1 * i, 50.0, 0.0}).of_drive;
   const double way = 10.0, k = 1e-4, axle = 0.33;
   const double heading_variance = 2.0 * k * way / (axle * axle);
-  EXPECT_NEAR(bound.ofDrive().heading, std::sqrt(heading_variance), 1e-4);
+  EXPECT_NEAR(end.heading, std::sqrt(heading_variance), 1e-4);
   const double ahead = k * way / 2.0;
   const double aside = heading_variance * way * way / 3.0;  // the integral of s^2
-  EXPECT_NEAR(bound.ofDrive().position, std::sqrt(ahead + aside), 1e-3);
+  EXPECT_NEAR(end.position, std::sqrt(ahead + aside), 1e-3);
 }
 
 TEST(ErrorBound, CountsRoundingAsNoiseAndNeedsSome) {
@@ -132,9 +133,8 @@ TEST(ErrorBound, CountsRoundingAsNoiseAndNeedsSome) {
   laser.laser_resolution = kSigma * std::sqrt(12.0);
   DriveBound rounded(room(4.0, 3.0), laser, {}, Anywhere{});
   DriveBound noisy(room(4.0, 3.0), noisyLaser(), {}, Anywhere{});
-  rounded.scan({1.0, 1.0, 0.0});
-  noisy.scan({1.0, 1.0, 0.0});
-  EXPECT_NEAR(rounded.ofScan().position, noisy.ofScan().position, 1e-12);
+  const Pose2 pose{1.0, 1.0, 0.0};
+  EXPECT_NEAR(rounded.scan(pose).of_scan.position, noisy.scan(pose).of_scan.position, 1e-12);
 }
 
 }  // namespace

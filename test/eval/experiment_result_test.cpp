@@ -22,10 +22,15 @@ ExperimentResult someResult() {
   found.kind = Trial::Kind::kKidnap;
   found.T_map_base = {1.0, -2.0, 3.0};
   found.found_s = 0.3;
+  found.within_s = 1.0;
+  found.late_tracking = 2;
   Trial failed;
   failed.end_status = "tracking";
   failed.is_silent_failure = true;
   result.trials = {found, failed};
+  result.accuracy.mean_m = 0.008;
+  result.accuracy.normalized = {std::nullopt, 2.5};
+  result.accuracy.drive_bound_m = 0.002;
   return result;
 }
 
@@ -41,6 +46,13 @@ TEST(ExperimentResult, IsOneLineThatIsReadBackAsItWas) {
   EXPECT_EQ(back.trials[0].kind, Trial::Kind::kKidnap);
   EXPECT_EQ(back.trials[0].found_s, 0.3);
   EXPECT_EQ(back.trials[0].told_s, std::nullopt);
+  EXPECT_EQ(back.trials[0].within_s, 1.0);
+  EXPECT_EQ(back.trials[0].late_tracking, 2);
+  EXPECT_EQ(back.accuracy.mean_m, 0.008);
+  EXPECT_EQ(back.accuracy.normalized.at(0), std::nullopt);
+  EXPECT_EQ(back.accuracy.normalized.at(1), 2.5);
+  EXPECT_EQ(back.accuracy.drive_bound_m, 0.002);
+  EXPECT_EQ(back.accuracy.scan_bound_m, std::nullopt);
   EXPECT_TRUE(back.trials[1].is_silent_failure);
 }
 
@@ -52,7 +64,7 @@ TEST(ExperimentResult, IsNotReadFromAnythingElse) {
   EXPECT_THROW(fromLine("{}"), std::invalid_argument);
   EXPECT_THROW(fromLine("[1, 2]"), std::invalid_argument);
   std::string other = line;
-  other.replace(other.find("\"kidnap\",\"pose\""), 8, "\"kidnip\"");
+  other.replace(other.find("\"kind\":\"kidnap\"") + 7, 8, "\"kidnip\"");
   EXPECT_THROW(fromLine(other), std::invalid_argument);
 }
 

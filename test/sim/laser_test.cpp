@@ -60,6 +60,16 @@ TEST(Laser, SitsWhereItIsMounted) {
   EXPECT_NEAR(scan.ranges[90], 3.0 - 1.021, 1e-6);
 }
 
+TEST(Laser, SendsItsBeamsOneAfterTheOtherFromARobotThatMoves) {
+  Laser laser(exact(), Rng(1));
+  const double seconds = 0.25 / 75.0;  // a quarter of a turn, to the middle beam
+  const LaserScan ahead = laser.scan({-0.021, -2.0, 0.0}, twoWalls, {0.8, 0.0});
+  EXPECT_NEAR(ahead.ranges[90], 3.0 - 0.8 * seconds, 1e-6);
+  const LaserScan turning = laser.scan({-0.021, -2.0, 0.0}, twoWalls, {0.0, 1.0});
+  EXPECT_NEAR(turning.ranges[60] * std::cos(-kPi / 6.0 + 60 * turning.time_increment), 3.0, 1e-3);
+  EXPECT_GT(std::abs(turning.ranges[60] * std::cos(kPi / 6.0) - 3.0), 2e-3) << "it shows";
+}
+
 TEST(Laser, NoiseBiasAndRoundingAreThoseGiven) {
   LaserOptions options = exact();
   options.laser_noise = 0.010;

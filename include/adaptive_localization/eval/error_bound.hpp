@@ -18,6 +18,11 @@ struct ErrorBound {
   double heading{0.0};   // rad
 };
 
+/// Of one scan alone, and of all scans so far together with odometry.
+struct ScanBounds {
+  ErrorBound of_scan, of_drive;
+};
+
 /// Fisher's information about the pose of base in map, over (x, y, theta), in the ranges of a scan
 /// with independent normal errors: J^T J / sigma^2, J the derivatives of the ranges by the pose. By
 /// central differences of exact ray casting; beams that see an edge or nothing tell nothing.
@@ -50,10 +55,7 @@ class DriveBound {
   }
 
   /// The robot drove here and took a scan.
-  void scan(const Pose2& T_map_base);
-
-  const ErrorBound& ofScan() const { return of_scan_; }
-  const ErrorBound& ofDrive() const { return of_drive_; }
+  ScanBounds scan(const Pose2& T_map_base);
 
  private:
   static Eigen::Matrix3d anywhere();
@@ -67,7 +69,6 @@ class DriveBound {
   Eigen::Matrix3d information_;
   bool has_moved_{false};  // and before_ is where from
   Pose2 before_;
-  ErrorBound of_scan_, of_drive_;
 };
 
 }  // namespace adaptive_localization

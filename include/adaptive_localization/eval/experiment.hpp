@@ -21,6 +21,14 @@ struct Spot {
   double farther_than{0.0};             // m from where it was
 };
 
+/// What the localizer is told of its start although it is not true: a pose, or one so far from the
+/// true one, anywhere where the robot could stand.
+struct WrongStart {
+  std::optional<Pose2> pose;
+  double off_by{0.0};     // m
+  double turned_by{0.0};  // rad
+};
+
 /// Something that happens to the robot, again every so many seconds if asked for.
 struct ExperimentEvent {
   enum class What { kKidnap, kCarry, kBlock };
@@ -40,6 +48,7 @@ struct SuccessRule {
   double position{0.15};              // m
   double heading{5.0 * kPi / 180.0};  // rad
   int scans{3};
+  std::optional<double> within;  // s, the time in which it must be found
 };
 
 /// A core under test.
@@ -55,11 +64,13 @@ struct ExperimentCase {
   std::optional<std::vector<Eigen::Vector2d>> route;  // none: the floor plan's; empty: random
   Spot start;
   bool is_start_known{false};
-  Parameters simulation;  // options of the simulated robot
-  double duration{30.0};  // s
+  std::optional<WrongStart> told;  // the start is known, wrongly
+  Parameters simulation;           // options of the simulated robot
+  double duration{30.0};           // s
   std::vector<ExperimentEvent> events;
   SuccessRule success;
   std::vector<double> probes;      // s: moments at which the error is noted
+  bool has_bounds{false};          // the bounds of the error are worked out too
   std::optional<Pose2> half_turn;  // the map looks the same after half a turn about this point
   std::vector<ExperimentCore> cores;
   int first_seed{1};
@@ -77,17 +88,20 @@ struct ExperimentCase {
 ///     {regions: [[x, y, x, y], ...],
 ///                                   #   yaw: [low, high], farther_than: m}
 ///     start_known: true             # the localizer is told; otherwise it starts anywhere
+///     told: {off_by: 5.4, turned_by: 0}   # m, rad: what it is told is wrong; or [x, y, yaw]
 ///     simulation: {people: 2}       # options of p3dx_simulator; drive is on
 ///     duration: 42                  # s
 ///     events:                       # of three kinds; with every: s, again and again
 ///       - {what: kidnap, at: 12, every: 15, to: random}
 ///       - {what: carry, at: 12, for: 3, to: random, laser: garbage}       # or blocked
 ///       - {what: block, at: 10, for: 20, share: 0.3, pattern: sector}     # or scattered
-///     success: {position: 0.15, heading: 5, scans: 3}          # m, degrees
+///     success: {position: 0.15, heading: 5, scans: 3, within: 1}   # m, degrees; s, any
+///     bounds: true                  # with Cramér-Rao bounds of the error, see error_bound.hpp
 ///     probes: [20, 30]              # s
 ///     half_turn: [5, 2.5]           # the map looks the same after half a turn about this point
 ///     options: {update_min_d: 0}    # of all cores
-///     cores:
+///     cores:                        # files that options name are looked for from this file's
+///     place
 ///       - {filter: amcl, preset: recommended, label: amcl, options: {max_particles: 1000}}
 ///     seeds: {first: 1, count: 100}
 ///     cases:                        # scenarios; each may say any of the above in its own way

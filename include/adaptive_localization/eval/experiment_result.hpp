@@ -17,23 +17,40 @@ struct RunId {
   std::string settings;
 };
 
-/// One task of finding the robot: from the start, or after it was put down elsewhere.
+/// One task of finding the robot: from the start, known, told wrong or not told, or after it was
+/// put down elsewhere.
 struct Trial {
-  enum class Kind { kKnownStart, kStart, kKidnap };
+  enum class Kind { kKnownStart, kWrongStart, kStart, kKidnap };
 
   Kind kind{Kind::kStart};
   double at{0.0};  // s, when the robot was put down
   Pose2 T_map_base;
   std::optional<double> found_s;  // after that the estimate was right, and stayed so for some scans
   std::optional<double> told_s;   // the same, and the status was tracking
+  std::optional<double> within_s;  // the time given for it
   int scans{0};
   int searching{0};            // scans before it was found
   int searching_tracking{0};   // of these, those that said tracking
-  int searching_ambiguous{0};  // of these, those that said ambiguous
+  int late_tracking{0};        // of these, those after the time given for it
+  int searching_ambiguous{0};  // of those before it was found, those that said ambiguous
   std::string end_status;
   double end_error_m{0.0};
   double end_error_deg{0.0};
   bool is_silent_failure{false};  // says tracking at the end, and is wrong
+};
+
+/// How near the estimates came to the truth, over the scans after the robot was found.
+struct Accuracy {
+  int scans{0};
+  double mean_m{0.0}, mean_deg{0.0};
+
+  // Normalised errors squared (consistency.hpp) at updates: the mean, and the first one in each
+  // second of the run, none where the robot was not found yet.
+  std::optional<double> normalized_mean;
+  std::vector<std::optional<double>> normalized;
+
+  // Cramér-Rao bounds (error_bound.hpp), rms: of one scan alone, and of all scans and odometry.
+  std::optional<double> scan_bound_m, scan_bound_deg, drive_bound_m, drive_bound_deg;
 };
 
 /// What came of one run. An estimate counts as wrong when it is off by more than kLostDistance or
@@ -65,6 +82,7 @@ struct ExperimentResult {
   bool has_both_at_end{false};
 
   double rms_m{0.0}, rms_deg{0.0}, max_m{0.0};  // after it was found
+  Accuracy accuracy;
   std::vector<double> probe_errors_m;
   int particles_first{0}, particles_max{0};
   double particles_mean{0.0};

@@ -6,10 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/eval/consistency.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/eval/share.hpp"
 
 namespace adaptive_localization {
+
+/// How near the estimates came to the truth, over the runs in which the robot was found.
+struct AccuracySummary {
+  int runs{0};
+  double mean_m{0.0}, mean_deg{0.0};  // mean over runs
+  double worst_mean_m{0.0};           // of a run
+  double rms_m{0.0}, rms_deg{0.0};    // over all runs
+  std::optional<double> scan_bound_m, scan_bound_deg, drive_bound_m, drive_bound_deg;  // the same
+
+  // Normalised errors squared: the mean over time and runs, the band in which the mean over so many
+  // runs lies at 95 % of all moments if the filter is consistent, and the share of the seconds at
+  // which it does.
+  std::optional<double> normalized;
+  Band band;
+  double seconds_in_band{0.0};
+};
 
 /// Results of the runs with the same experiment, case and core, over seeds. Trials are those of
 /// starts that were not known and of kidnaps; a trial that failed counts as never in the quantiles.
@@ -21,7 +38,9 @@ struct ExperimentSummary {
   // The same of the trials in which no scan said ambiguous before.
   std::optional<double> clear_median_s, clear_p95_s;
   std::vector<double> found_s;  // of those that were found, ascending
-  Share right_at_end;           // trials at whose end the estimate was not wrong
+  Share in_time;                // of the trials with a time for it, those found in it
+  Share in_time_or_flagged;  // or in which from then on no scan said tracking before it was found
+  Share right_at_end;        // trials at whose end the estimate was not wrong
   // Scans of a trial that said tracking before the robot was found.
   double told_early_median{0.0}, told_early_most{0.0};
   Share silent_failures;  // trials at whose end the status was tracking, wrongly
@@ -36,6 +55,7 @@ struct ExperimentSummary {
   Share both_at_end;  // of the runs in which the map looks the same after half a turn
   double both_share{0.0}, first_mass{0.0}, second_mass{0.0};
   double tracking_share{0.0};  // of all scans
+  AccuracySummary accuracy;
   double rms_median_m{0.0}, rms_median_deg{0.0}, max_m{0.0};
   std::vector<double> probe_mean_m, probe_std_m;
   double particles_first{0.0}, particles_mean{0.0};

@@ -5,6 +5,7 @@
 
 #include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/sim/drive_base.hpp"
 
 namespace adaptive_localization {
 
@@ -56,9 +57,9 @@ class Laser {
 
   Laser(const LaserOptions& options, Rng rng);
 
-  /// The scan of a robot standing at a pose; NaN invalid, infinity no return, as sicklms gives
-  /// them.
-  LaserScan scan(const Pose2& T_map_base, const Caster& cast);
+  /// The scan of a robot that is at a pose when the first beam is sent and drives on while the
+  /// others are; NaN invalid, infinity no return, as sicklms gives them.
+  LaserScan scan(const Pose2& T_map_base, const Caster& cast, const Velocity& velocity = {});
 
   Pose2 mount() const { return {options_.laser_x, 0.0, 0.0}; }  // T_base_laser
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "../../src/eval/experiment_drive.hpp"
+#include "../../src/eval/experiment_judge.hpp"
+#include "adaptive_localization/eval/experiment_summary.hpp"
+#include "toy_experiment.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::HasSubstr;
+
+class WrongStart : public testing::Test {
+ protected:
+  ExperimentCase load(const std::string& lines) const { return toy_.load(lines).cases.front(); }
+
+  void expectRejected(const std::string& lines, const std::string& words) const {
+    EXPECT_THAT([&] { toy_.load(lines); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr(words)))
+        << lines;
+  }
+
+  ToyExperiment toy_;
+};
+
+TEST_F(WrongStart, IsAsFarFromTheTruthAsAskedForAndAPlaceToStand) {
+  const ExperimentCase of_case = load("told: {off_by: 1.5, turned_by: 0.5}\n");
+  EXPECT_TRUE(of_case.is_start_known);
+  const ExperimentSite site = loadSite(of_case);
+  for (int seed = 1; seed < 30; ++seed) {
+    const ExperimentDrive drive(site, of_case, seed);
+    EXPECT_NEAR(distance(drive.told(), drive.truth()), 1.5, 1e-9);
+    EXPECT_NEAR(wrapAngle(drive.told().theta - drive.truth().theta), 0.5, 1e-9);
+    EXPECT_TRUE(site.free_space->contains({drive.told().x, drive.told().y}));
+  }
+}
+
+TEST_F(WrongStart, CanBeAPose) {
+  const ExperimentCase of_case = load("start: [1, 0.6, 0]\ntold: [5, 3, 1]\n");
+  const ExperimentDrive drive(loadSite(of_case), of_case, 1);
+  EXPECT_NEAR(distance(drive.told(), {5.0, 3.0, 1.0}), 0.0, 1e-12);
+  EXPECT_NEAR(drive.told().theta, 1.0, 1e-12);
+  EXPECT_LT(distance(drive.truth(), {1.0, 0.6, 0.0}), 0.05);
+}
+
+TEST_F(WrongStart, IsTheTruthUnlessAskedFor) {
+  const ExperimentCase of_case = load("start_known: true\n");
+  const ExperimentDrive drive(loadSite(of_case), of_case, 1);
+  EXPECT_EQ(distance(drive.told(), drive.truth()), 0.0);
+}
+
+TEST_F(WrongStart, ThatCannotBeIsRejected) {
+  expectRejected("told: [1, 2]\n", "'told': got '[1, 2]', expected [x, y, yaw]");
+  expectRejected("told: {off: 3}\n", "unknown key 'told.off'");
+  expectRejected("told: {off_by: -1}\n", "'told.off_by': got '-1'");
+  expectRejected("told: {off_by: 1}\nstart_known: false\n", "'start_known': got 'false'");
+  expectRejected("success: {within: soon}\n", "'success.within': got 'soon'");
+  expectRejected("bounds: 3\n", "'bounds': got '3', expected true or false");
+  const ExperimentCase far = load("told: {off_by: 50}\n");
+  EXPECT_THAT([&] { ExperimentDrive(loadSite(far), far, 1); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("50.0")));
+}
+
+TEST_F(WrongStart, LooksForFilesThatOptionsNameFromItsOwnPlace) {
+  const ExperimentCase of_case = load("options: {line_map: world.yaml}\n");
+  const auto& values = of_case.cores.front().parameters.values();
+  EXPECT_EQ(toText(values.at("line_map")), toy_.folder().file("world.yaml"));
+  expectRejected("options: {line_map: nosuch.yaml}\n", "'options.line_map': got 'nosuch.yaml'");
+}
+
+/// A trial with one second for it, in which the estimate is wrong for so many scans, and then
+/// right.
+ExperimentResult trial(int wrong, Status status, int right) {
+  ExperimentCase of_case;
+  of_case.success.within = 1.0;
+  ExperimentJudge judge(of_case);
+  judge.begin(Trial::Kind::kWrongStart, 0.0, {});
+  for (int i = 1; i <= wrong + right; ++i) {
+    JudgedScan scan;
+    scan.stamp = 0.1 * i;
+    scan.T_map_base = Pose2{};
+    scan.answer.T_map_base = Pose2{i <= wrong ? 5.4 : 0.0, 0.0, 0.0};
+    scan.answer.status = i <= wrong ? status : Status::kTracking;
+    judge.observe(scan);
+  }
+  ExperimentResult result = judge.finish();
+  result.id = {"toy", "hall", "ekf", 1, "same"};
+  return result;
+}
+
+TEST_F(WrongStart, MustBeCorrectedInTimeOrFlagged) {
+  const auto summaryOf = [](ExperimentResult result) {
+    return summarize({fromLine(toLine(result))}).front();
+  };
+  const auto prompt = summaryOf(trial(9, Status::kTracking, 10));
+  EXPECT_EQ(prompt.in_time.count, 1) << "found at exactly a second";
+  EXPECT_EQ(prompt.in_time_or_flagged.count, 1);
+  const auto late = summaryOf(trial(15, Status::kTracking, 10));
+  EXPECT_EQ(late.found.count, 1);
+  EXPECT_EQ(late.in_time.count, 0);
+  EXPECT_EQ(late.in_time_or_flagged.count, 0) << "it said tracking";
+  const auto flagged = summaryOf(trial(15, Status::kLost, 10));
+  EXPECT_EQ(flagged.in_time.count, 0);
+  EXPECT_EQ(flagged.in_time_or_flagged.count, 1);
+  EXPECT_THAT(toTables({late}), HasSubstr("| in time | in time or flagged |"));
+}
+
+TEST_F(WrongStart, HasNoTimeUnlessAskedFor) {
+  ExperimentJudge judge{ExperimentCase()};
+  judge.begin(Trial::Kind::kWrongStart, 0.0, {});
+  EXPECT_EQ(summarize({judge.finish()}).front().in_time.of, 0);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
