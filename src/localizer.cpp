@@ -41,6 +41,9 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   Rivals rivals(setup.rivals, ground.map, ground.distance_field, ground.places);
   if (rivals_) rivals.goOnFrom(*rivals_);
 
+  std::optional<ScanMatcher> matcher;
+  if (setup.options.refine) matcher = makeScanMatcher(setup.match, *ground.map);
+
   setThreads(setup.options.threads);
   setup_ = std::move(setup);
   setup_.parameters = context.parameters;  // knows what the filter has read
@@ -48,13 +51,15 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   filter_ = std::move(filter);
   confidence_.emplace(confidence);
   rivals_.emplace(std::move(rivals));
+  matcher_ = std::move(matcher);
+  match_.reset();
 }
 
 void Localizer::configure(const Parameters& parameters) {
   Setup setup = read(parameters);
   Ground ground = ground_;
   if (!hasSamePlaces(setup)) ground.places = nullptr;
-  if (!hasSameFilter(setup) || !ground.places) {
+  if (!hasSameFilter(setup) || !hasSameMatcher(setup) || !ground.places) {
     return build(std::move(setup), std::move(ground), belief());
   }
   Confidence confidence(setup.confidence, ground.distance_field);
@@ -148,6 +153,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   last_.estimate = filter_->update(motion, observations);
+  refine(observations);
   confidence_->observe(last_.estimate, observations);
   rivals_->observe(motion, last_.estimate.T_map_base, observations);
   if (rivals_->isSettled() && isDoubtful(T_map_base_expected)) {

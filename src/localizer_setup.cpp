@@ -19,7 +19,7 @@ std::vector<OptionDescription> placesOptions() {
 std::vector<OptionDescription> localizerOptions() {
   std::vector<OptionDescription> all = describe(LocalizerOptions{});
   for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{}),
-                           describe(RivalsOptions{}), placesOptions()}) {
+                           describe(RivalsOptions{}), describe(MatchOptions{}), placesOptions()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
@@ -66,6 +66,7 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.rivals = parameters.read<RivalsOptions>();
+  setup.match = parameters.read<MatchOptions>();
   for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
     for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
   }
@@ -92,6 +93,11 @@ bool Localizer::hasSameFilter(const Setup& setup) const {
 
 bool Localizer::hasSamePlaces(const Setup& setup) const {
   return areEqual(placesOptions(), setup_.parameters, setup.parameters);
+}
+
+bool Localizer::hasSameMatcher(const Setup& setup) const {
+  return setup.options.refine == setup_.options.refine &&
+         areEqual(describe(MatchOptions{}), setup_.parameters, setup.parameters);
 }
 
 std::vector<std::string> Localizer::unknownKeys() const {

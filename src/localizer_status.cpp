@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the localizer makes of scans, filter and rivals: when to update, when to doubt, what to say.
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "adaptive_localization/localizer.hpp"
@@ -11,6 +12,34 @@ namespace {
 constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
+
+/// Whether a match is still of the place that a filter means.
+bool isNear(const Estimate& estimate, const Pose2& matched) {
+  constexpr double kGate = 11.34;  // 99 % of a chi-square variable with 3 degrees of freedom
+  constexpr double kStd = 0.1;     // m, and half as much in rad: beyond what the filter says
+  const Pose2& pose = estimate.T_map_base;
+  const Eigen::Vector3d off(matched.x - pose.x, matched.y - pose.y,
+                            wrapAngle(matched.theta - pose.theta));
+  Eigen::Matrix3d covariance = estimate.covariance;
+  covariance.diagonal() += Eigen::Vector3d(kStd * kStd, kStd * kStd, 0.25 * kStd * kStd);
+  return off.dot(covariance.llt().solve(off)) < kGate;
+}
+
+/// The matched pose, as sure as the match is where it tells something and as the filter elsewhere:
+///
+///     P = H+ R H+^T + N P N^T,   N = I - H+ H,   H+ the pseudo-inverse of H
+Estimate refined(Estimate estimate, const Match& match) {
+  const Match::Rows& H = match.H;
+  const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> inverse =
+      H.transpose() * (H * H.transpose()).inverse();
+  const Eigen::Matrix3d N = Eigen::Matrix3d::Identity() - inverse * H;
+  estimate.covariance = inverse * match.variance.asDiagonal() * inverse.transpose() +
+                        N * estimate.covariance * N.transpose();
+  estimate.T_map_base = match.T_map_base;
+  estimate.modes.front().T_map_base = estimate.T_map_base;
+  estimate.modes.front().covariance = estimate.covariance;
+  return estimate;
+}
 
 /// Particles around places, as many around each as its mass says.
 Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
@@ -78,6 +107,17 @@ void Localizer::relocalize() {
   Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++relocalizations_);
   filter_->reset(Prior(drawFrom(rivals_->modes(), kParticles, rng)));
   last_.estimate = filter_->estimate();
+}
+
+/// A filter that matches scans itself needs no help.
+void Localizer::refine(const Observations& observations) {
+  match_.reset();
+  if (!matcher_ || filter_->match()) return;
+  match_ = matcher_->match(last_.estimate.T_map_base, observations.scan);
+  if (match_->isGood() && !isNear(last_.estimate, match_->T_map_base)) {
+    match_->fault = MatchFault::kJump;
+  }
+  if (match_->isGood()) last_.estimate = refined(last_.estimate, *match_);
 }
 
 /// Where scans contradict the map, or the filter jumps, other places are worth a thought.

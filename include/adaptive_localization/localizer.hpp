@@ -10,6 +10,7 @@
 #include "adaptive_localization/confidence.hpp"
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/ser/rivals.hpp"
 
 namespace adaptive_localization {
@@ -27,6 +28,7 @@ struct LocalizerOptions {
   double update_min_d{0.1};
   double update_min_a{0.05};
   bool relocalize{false};
+  bool refine{false};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -43,6 +45,9 @@ struct LocalizerOptions {
            "Angle to turn before the filter is updated.");
     option("relocalize", relocalize,
            "Move the filter to the places that explain the scans once they rule out its own.");
+    option(
+        "refine", refine,
+        "Polish the filter's estimate by matching the scan with the map (no need with ekf_icp).");
   }
 };
 
@@ -104,6 +109,10 @@ class Localizer {
   /// Those that the others follow, where the filter has such.
   Particles leaders() const { return filter_->leaders(); }
 
+  /// How the last scan was aligned with the map, by the filter or to refine its estimate; null
+  /// where nobody does.
+  const Match* match() const { return match_ ? &*match_ : filter_->match(); }
+
   const ScanOptions& scanOptions() const { return setup_.scan; }
   const LocalizerOptions& options() const { return setup_.options; }
 
@@ -123,6 +132,7 @@ class Localizer {
     ScanOptions scan;
     ConfidenceOptions confidence;
     RivalsOptions rivals;
+    MatchOptions match;
     Parameters parameters;
   };
 
@@ -138,12 +148,14 @@ class Localizer {
   void build(Setup setup, Ground ground, const std::optional<Prior>& belief);
   bool hasSameFilter(const Setup& setup) const;
   bool hasSamePlaces(const Setup& setup) const;
+  bool hasSameMatcher(const Setup& setup) const;
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   void relocalize();
+  void refine(const Observations& observations);
   bool isDoubtful(const Pose2& T_map_base_expected) const;
   Status judge() const;
 
@@ -154,6 +166,8 @@ class Localizer {
   std::unique_ptr<Filter> filter_;
   std::optional<Confidence> confidence_;
   std::optional<Rivals> rivals_;
+  std::optional<ScanMatcher> matcher_;  // if estimates are to be refined
+  std::optional<Match> match_;
 
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};

@@ -64,15 +64,9 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   return estimate();
 }
 
-Eigen::Matrix3d EkfIcp::mapCovariance() const {
-  const double xy = options_.ekf_map_std * options_.ekf_map_std;
-  const double turn = options_.ekf_map_turn_std * options_.ekf_map_turn_std;
-  return Eigen::Vector3d(xy, xy, turn).asDiagonal();
-}
-
 bool EkfIcp::correct(const Match& match) {
   if (!match.isGood()) return false;
-  const PoseObservation seen = observationOf(kalman_.mean(), match, mapCovariance());
+  const PoseObservation seen = observationOf(kalman_.mean(), match);
   if (!(kalman_.distanceOf(seen) < options_.ekf_gate)) {
     match_->fault = MatchFault::kJump;
     return false;
@@ -99,7 +93,7 @@ void EkfIcp::lookAround(const Observations& observations) {
                                   kNewPlaceTurn * kNewPlaceTurn)
                       .asDiagonal()};
   kalman_.reset(place);
-  kalman_.correct(observationOf(place.mean, *found, mapCovariance()));
+  kalman_.correct(observationOf(place.mean, *found));
   match_ = found;
   anywhere_ = false;
   rejected_ = 0;

@@ -17,8 +17,6 @@ namespace adaptive_localization {
 struct EkfOptions {
   double ekf_gate{11.34};
   int ekf_rejected_scans{3};
-  double ekf_map_std{0.01};
-  double ekf_map_turn_std{0.002};
   int ekf_cloud{200};
 
   template <class Visitor>
@@ -28,9 +26,6 @@ struct EkfOptions {
            "11.34 holds for 99 of 100 right ones.");
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
            "Scans in a row that do not correct the pose before it is looked for all over the map.");
-    option("ekf_map_std", ekf_map_std, kNotNegative, "m",
-           "Standard deviation of the map's own error, added to that of a match.");
-    option("ekf_map_turn_std", ekf_map_turn_std, kNotNegative, "rad", "The same of the heading.");
     option("ekf_cloud", ekf_cloud, Range{1, 100000}, "",
            "Particles drawn from the belief, for those who want to see a cloud.");
   }
@@ -66,7 +61,6 @@ class EkfIcp : public Filter {
   bool correct(const Match& match);
   void lookAround(const Observations& observations);
   std::optional<Match> matchElsewhere(const Observations& observations);
-  Eigen::Matrix3d mapCovariance() const;
 
   EkfOptions options_;
   EkfParts parts_;

@@ -217,6 +217,9 @@ void ScanMatcher::rate(const Scan& scan, Match& match) const {
   match.H = telling.columns.transpose();
   match.H.col(2) *= lever;
   match.variance = variance / options_.match_information * telling.hits.cwiseInverse();
+  const Eigen::Vector3d map_std(options_.match_map_std, options_.match_map_std,
+                                options_.match_map_turn_std);
+  match.variance += (match.H * map_std.asDiagonal()).rowwise().squaredNorm();
   if (match.inlier_ratio < options_.match_least_inliers)
     match.fault = MatchFault::kOutliers;
   else if (match.H.rows() == 0)

@@ -26,6 +26,8 @@ struct MatchOptions {
   double match_keep{0.0};
   double match_range_std{0.03};
   double match_information{1.0};
+  double match_map_std{0.01};
+  double match_map_turn_std{0.002};
   double match_least_inliers{0.4};
   std::string line_map;
 
@@ -53,6 +55,10 @@ struct MatchOptions {
     option("match_information", match_information, Range{1e-6, 1}, "",
            "What a hit is worth when a match says how sure it is; less than 1 as neighbouring hits "
            "share the map's errors.");
+    option("match_map_std", match_map_std, kNotNegative, "m",
+           "Standard deviation of the map's own error, that all hits share.");
+    option("match_map_turn_std", match_map_turn_std, kNotNegative, "rad",
+           "The same of the heading.");
     option("match_least_inliers", match_least_inliers, kProbability, "",
            "A scan of which a smaller share fits is not matched: too much is not in the map.");
     option("line_map", line_map, Choices{},
