@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "adaptive_localization/eval/consistency.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -22,6 +24,23 @@ double rootMeanSquare(std::vector<double> values) {
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+void addConsistency(const std::vector<RunStep>& steps, ErrorMetrics& errors) {
+  std::vector<double> normalized;
+  for (const auto& step : steps) {
+    if (!step.T_map_base_reference || !step.updated) continue;
+    const auto error =
+        normalizedError(step.T_map_base, step.covariance, *step.T_map_base_reference);
+    if (error) normalized.push_back(*error);
+  }
+  if (normalized.empty()) return;
+  const Band band = consistencyBand(1);
+  const auto inside = std::count_if(normalized.begin(), normalized.end(),
+                                    [&](double error) { return band.contains(error); });
+  errors.nees_mean = mean(normalized);
+  errors.nees_median = quantile(normalized, 0.5);
+  errors.nees_in_band = static_cast<double>(inside) / static_cast<double>(normalized.size());
 }
 
 std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
@@ -48,6 +67,7 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   if (positions.empty()) return {};
   ErrorMetrics errors;
   errors.ate_rmse_m = rootMeanSquare(positions);
+  errors.ate_mean_m = mean(positions);
   errors.ate_median_m = quantile(positions, 0.5);
   errors.ate_p95_m = quantile(positions, 0.95);
   errors.ate_max_m = largest(positions);
@@ -58,6 +78,7 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   errors.lost_share = static_cast<double>(lost) / static_cast<double>(positions.size());
   errors.misled_share = static_cast<double>(misled) / static_cast<double>(positions.size());
   errors.tracking_at_s = tracking_at;
+  addConsistency(steps, errors);
   return errors;
 }
 
@@ -85,11 +106,12 @@ double quantile(std::vector<double> values, double share) {
 }
 
 Metrics measure(const RunRecord& run) {
-  std::vector<double> times, particles, confidences;
+  std::vector<double> times, cpu_times, particles, confidences;
   for (const auto& step : run.steps) {
     confidences.push_back(step.confidence);
     if (!step.updated) continue;
     times.push_back(step.update_ms);
+    cpu_times.push_back(step.cpu_ms);
     particles.push_back(step.particles);
   }
   Metrics metrics;
@@ -103,6 +125,8 @@ Metrics measure(const RunRecord& run) {
   metrics.update_ms_median = quantile(times, 0.5);
   metrics.update_ms_p99 = quantile(times, 0.99);
   metrics.update_ms_max = largest(times);
+  metrics.update_cpu_ms_median = quantile(cpu_times, 0.5);
+  metrics.update_cpu_ms_mean = mean(cpu_times);
   metrics.particles_mean = mean(particles);
   metrics.particles_max = static_cast<int>(largest(particles));
   metrics.confidence_mean = mean(confidences);

@@ -13,6 +13,10 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   const auto error = [&](double ErrorMetrics::*member) {
     return metrics.errors ? nlohmann::json(*metrics.errors.*member) : null;
   };
+  const auto consistency = [&](std::optional<double> ErrorMetrics::*member) {
+    const bool is_known = metrics.errors && *metrics.errors.*member;
+    return is_known ? nlohmann::json(*(*metrics.errors.*member)) : null;
+  };
   const bool has_converged = metrics.errors && metrics.errors->converged_at_s;
 
   nlohmann::json json;
@@ -31,9 +35,12 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["update_ms"]["median"] = metrics.update_ms_median;
   json["update_ms"]["p99"] = metrics.update_ms_p99;
   json["update_ms"]["max"] = metrics.update_ms_max;
+  json["update_cpu_ms"]["median"] = metrics.update_cpu_ms_median;
+  json["update_cpu_ms"]["mean"] = metrics.update_cpu_ms_mean;
   json["particles"]["mean"] = metrics.particles_mean;
   json["particles"]["max"] = metrics.particles_max;
   json["ate_rmse_m"] = error(&ErrorMetrics::ate_rmse_m);
+  json["ate_mean_m"] = error(&ErrorMetrics::ate_mean_m);
   json["ate_median_m"] = error(&ErrorMetrics::ate_median_m);
   json["ate_p95_m"] = error(&ErrorMetrics::ate_p95_m);
   json["ate_max_m"] = error(&ErrorMetrics::ate_max_m);
@@ -46,6 +53,9 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["tracking_at_s"] = metrics.errors && metrics.errors->tracking_at_s
                               ? nlohmann::json(*metrics.errors->tracking_at_s)
                               : null;
+  json["nees"]["mean"] = consistency(&ErrorMetrics::nees_mean);
+  json["nees"]["median"] = consistency(&ErrorMetrics::nees_median);
+  json["nees"]["in_band"] = consistency(&ErrorMetrics::nees_in_band);
   json["confidence_mean"] = metrics.confidence_mean;
   return json;
 }

@@ -2,6 +2,7 @@
 #include "adaptive_localization/eval/run.hpp"
 
 #include <sys/resource.h>
+#include <time.h>
 
 #include <chrono>
 #include <stdexcept>
@@ -31,17 +32,34 @@ double cpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-RunStep step(const LogScan& log_scan, Localizer& localizer) {
+double processMilliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+std::optional<BaseVelocity> velocityBetween(const LogScan& before, const LogScan& after) {
+  constexpr double kLongest = 0.5;  // s
+  const double seconds = after.scan.stamp - before.scan.stamp;
+  if (!(seconds > 1e-3 && seconds < kLongest)) return std::nullopt;
+  const Pose2 motion = between(before.T_odom_base, after.T_odom_base);
+  return BaseVelocity{motion.x / seconds, motion.y / seconds, motion.theta / seconds};
+}
+
+RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer) {
   const auto start = Clock::now();
+  const double cpu_at_start = processMilliseconds();
   Observations observations;
   observations.stamp = log_scan.scan.stamp;
-  observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions());
+  observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity);
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;
   result.update_ms = 1e3 * secondsSince(start);
+  result.cpu_ms = processMilliseconds() - cpu_at_start;
   result.stamp = log_scan.scan.stamp;
   result.T_odom_base = log_scan.T_odom_base;
   result.T_map_base = answer.T_map_base;
+  result.covariance = answer.estimate.covariance;
   result.T_map_base_reference = log_scan.T_map_base;
   result.confidence = answer.confidence;
   result.status = answer.status;
@@ -52,6 +70,13 @@ RunStep step(const LogScan& log_scan, Localizer& localizer) {
 
 }  // namespace
 
+BaseVelocity velocityAt(const Log& log, std::size_t i) {
+  std::optional<BaseVelocity> velocity;
+  if (i + 1 < log.scans.size()) velocity = velocityBetween(log.scans[i], log.scans[i + 1]);
+  if (!velocity && i > 0) velocity = velocityBetween(log.scans[i - 1], log.scans[i]);
+  return velocity.value_or(BaseVelocity{});
+}
+
 RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
   RunRecord run;
   run.steps.reserve(log.scans.size());
@@ -60,7 +85,7 @@ RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progre
   std::string first_problem;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     try {
-      run.steps.push_back(step(log.scans[i], localizer));
+      run.steps.push_back(step(log.scans[i], velocityAt(log, i), localizer));
     } catch (const std::invalid_argument& error) {
       if (run.skipped++ == 0) first_problem = error.what();
     }

@@ -37,10 +37,47 @@ TEST(Metrics, TakesErrorsAtEveryScan) {
   steps[1].updated = true;
   const ErrorMetrics errors = errorsOf(steps);
   EXPECT_NEAR(errors.ate_rmse_m, 0.15, 1e-12);
+  EXPECT_NEAR(errors.ate_mean_m, 0.125, 1e-12);
   EXPECT_NEAR(errors.ate_median_m, 0.15, 1e-12);
   EXPECT_NEAR(errors.ate_p95_m, 0.2, 1e-12);
   EXPECT_NEAR(errors.ate_max_m, 0.2, 1e-12);
   EXPECT_NEAR(errors.final_error_m, 0.2, 1e-12);
+}
+
+TEST(Metrics, TellsWhetherCovariancesMeanWhatTheySay) {
+  auto steps = std::vector<RunStep>{step(0, 0.0), step(1, 0.1), step(2, -0.2), step(3, 0.4)};
+  EXPECT_FALSE(errorsOf(steps).nees_mean) << "no covariance";
+  for (auto& one : steps) one.covariance = 0.01 * Eigen::Matrix3d::Identity();
+  EXPECT_FALSE(errorsOf(steps).nees_mean) << "no update";
+  for (auto& one : steps) one.updated = true;
+  const ErrorMetrics errors = errorsOf(steps);
+  EXPECT_NEAR(errors.nees_mean.value(), (0.0 + 1.0 + 4.0 + 16.0) / 4.0, 1e-9);
+  EXPECT_NEAR(errors.nees_median.value(), 2.5, 1e-9);
+  EXPECT_NEAR(errors.nees_in_band.value(), 0.5, 1e-12) << "1 and 4 lie between 0.22 and 9.35";
+}
+
+TEST(Metrics, TakesTheProcessorTimeOfUpdates) {
+  RunRecord run;
+  run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};
+  for (auto& one : run.steps) one.cpu_ms = 1.0 + one.stamp * one.stamp;
+  run.steps[1].updated = run.steps[2].updated = true;
+  EXPECT_NEAR(measure(run).update_cpu_ms_median, 3.5, 1e-12);
+  EXPECT_NEAR(measure(run).update_cpu_ms_mean, 3.5, 1e-12);
+}
+
+TEST(Run, TakesVelocitiesFromOdometryBetweenScans) {
+  Log log;
+  for (const double x : {0.0, 0.1, 0.3, 9.0}) {
+    LogScan scan;
+    scan.scan.stamp = x < 9.0 ? 0.1 * static_cast<double>(log.scans.size()) : 60.0;
+    scan.T_odom_base = {x, 0.0, 0.5 * x};
+    log.scans.push_back(scan);
+  }
+  EXPECT_NEAR(velocityAt(log, 0).x, 1.0, 1e-12);
+  EXPECT_NEAR(velocityAt(log, 0).turn, 0.5, 1e-12);
+  EXPECT_GT(velocityAt(log, 1).x, 1.9);
+  EXPECT_EQ(velocityAt(log, 2).x, velocityAt(log, 1).x) << "the next is a minute later";
+  EXPECT_EQ(velocityAt(log, 3).x, 0.0);
 }
 
 TEST(Metrics, TakesHeadingTheShortWayRound) {

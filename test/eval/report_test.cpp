@@ -23,29 +23,19 @@ TEST(Report, HoldsTheAgreedKeys) {
   RunRecord run;
   run.steps = {step(0, 0.1), step(1, 0.1)};
   const auto json = toJson({"a.bag", "m.yaml", "kld", 7, 2}, measure(run));
-  for (const char* key : {"filter",
-                          "seed",
-                          "threads",
-                          "scans",
-                          "updates",
-                          "duration_s",
-                          "path_m",
-                          "wall_s",
-                          "cpu_s",
-                          "peak_rss_mb",
-                          "update_ms",
-                          "particles",
-                          "ate_rmse_m",
-                          "ate_median_m",
-                          "ate_p95_m",
-                          "ate_max_m",
-                          "heading_rmse_deg",
-                          "final_error_m",
-                          "final_heading_error_deg",
-                          "converged_at_s",
-                          "lost_share",
-                          "misled_share",
-                          "confidence_mean"}) {
+  for (const char* key : {"filter",         "seed",
+                          "threads",        "scans",
+                          "updates",        "duration_s",
+                          "path_m",         "wall_s",
+                          "cpu_s",          "peak_rss_mb",
+                          "update_ms",      "particles",
+                          "ate_rmse_m",     "update_cpu_ms",
+                          "ate_mean_m",     "nees",
+                          "ate_median_m",   "ate_p95_m",
+                          "ate_max_m",      "heading_rmse_deg",
+                          "final_error_m",  "final_heading_error_deg",
+                          "converged_at_s", "lost_share",
+                          "misled_share",   "confidence_mean"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;
   }

@@ -16,6 +16,7 @@ constexpr double kLostHeading = 20.0 * kPi / 180.0;  // rad
 /// of the trajectories: the absolute trajectory error of Sturm et al. (2012) in a common frame.
 struct ErrorMetrics {
   double ate_rmse_m{0.0};
+  double ate_mean_m{0.0};
   double ate_median_m{0.0};
   double ate_p95_m{0.0};
   double ate_max_m{0.0};
@@ -23,9 +24,12 @@ struct ErrorMetrics {
   double final_error_m{0.0};
   double final_heading_error_deg{0.0};
   std::optional<double> converged_at_s;  // after the first scan; from there never lost again
-  double lost_share{0.0};                // of the scans with a reference
-  double misled_share{0.0};              // lost and said "tracking", of the same
-  std::optional<double> tracking_at_s;   // after the first scan; when it first said "tracking"
+  // Normalised errors squared at updates (consistency.hpp): mean, median, and the share of them in
+  // the band of 95 % for one. The reference's own errors are in them.
+  std::optional<double> nees_mean, nees_median, nees_in_band;
+  double lost_share{0.0};               // of the scans with a reference
+  double misled_share{0.0};             // lost and said "tracking", of the same
+  std::optional<double> tracking_at_s;  // after the first scan; when it first said "tracking"
 };
 
 /// All numbers of one run.
@@ -38,6 +42,7 @@ struct Metrics {
   double cpu_s{0.0};
   double peak_rss_mb{0.0};
   double update_ms_median{0.0}, update_ms_p99{0.0}, update_ms_max{0.0};  // of scans that updated
+  double update_cpu_ms_median{0.0}, update_cpu_ms_mean{0.0};             // the same, processor time
   double particles_mean{0.0};
   int particles_max{0};
   double confidence_mean{0.0};
