@@ -8,20 +8,26 @@
 
 namespace adaptive_localization {
 
-/// What is only for eyes: ~ser, where scans would have the energy of the newest one, and
-/// ~status_text. Made while somebody looks, and a few times a second at the most.
+/// What is only for eyes: ~ser, where scans would have the energy of the newest one, ~match, which
+/// of its points fit the map, and ~status_text. Made while somebody looks, and a few times a second
+/// at the most.
 class Display {
  public:
   Display(ros::NodeHandle private_node, const NodeOptions& options);
 
-  /// May start the building of an energy grid.
-  void show(const Localization& answer, const Scan& scan, Places& places, const ros::Time& stamp);
+  /// May start the building of an energy grid. The match, if there is one, is that of the last
+  /// update.
+  void show(const Localization& answer, const Scan& scan, const Match* match, Places& places,
+            const ros::Time& stamp);
 
  private:
+  void showMatch(const Scan& scan, const Match* match, const std_msgs::Header& header);
+
   const NodeOptions& options_;  // the node's, which may change
   ros::Publisher ser_;
+  ros::Publisher match_;
   ros::Publisher text_;
-  ros::WallTime shown_;
+  ros::WallTime shown_, match_shown_;
 };
 
 }  // namespace adaptive_localization

@@ -92,8 +92,9 @@ void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& 
   broadcaster_.sendTransform(transform);
 }
 
-void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index particles,
-                                      double ms_per_update, const ScanSource::Counts& scans) {
+void EstimatePublisher::publishStatus(const Localization& answer, const Match* match,
+                                      Eigen::Index particles, double ms_per_update,
+                                      const ScanSource::Counts& scans) {
   DiagnosticStatus status =
       makeStatus("localization", levelOf(answer.status), toText(answer.status));
   add(status, "confidence", print("%.3f", answer.confidence));
@@ -104,6 +105,10 @@ void EstimatePublisher::publishStatus(const Localization& answer, Eigen::Index p
     add(status, "mode " + std::to_string(i + 1),
         print("mass %.3f at x %.3f m, y %.3f m, yaw %.1f deg", modes[i].mass, pose.x, pose.y,
               pose.theta * 180.0 / kPi));
+  }
+  if (match) {
+    add(status, "match", match->isGood() ? "used" : toText(match->fault));
+    add(status, "match inliers", print("%.3f", match->inlier_ratio));
   }
   add(status, "particles", std::to_string(particles));
   add(status, "ms per update", print("%.3f", ms_per_update));

@@ -96,8 +96,9 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     if (answer.updated) publisher_.publishLeaders(localizer_->leaders(), stamp);
     pose_keeper_.keep({answer.T_map_base, answer.estimate.covariance}, stamp);
   }
-  publisher_.publishStatus(answer, particles.size(), ms_per_update_, scans_.counts());
-  display_.show(answer, scan, localizer_->places(), stamp);
+  const Match* match = localizer_->match();
+  publisher_.publishStatus(answer, match, particles.size(), ms_per_update_, scans_.counts());
+  display_.show(answer, scan, match, localizer_->places(), stamp);
   places_.prepare(scan);
   return true;
 }
@@ -152,6 +153,7 @@ NodeHealth LocalizationNode::health() const {
   if (answer_ && answer_->status != Status::kUninitialised) {
     health.covariance = answer_->estimate.covariance;
   }
+  if (const Match* match = localizer_ ? localizer_->match() : nullptr) health.match = match->fault;
   return health;
 }
 

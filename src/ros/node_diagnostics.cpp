@@ -41,6 +41,12 @@ DiagnosticStatus scanStatus(const NodeHealth& health) {
   return status;
 }
 
+DiagnosticStatus matchStatus(MatchFault fault) {
+  const bool fine = fault == MatchFault::kNone;
+  return makeStatus("Match", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                    fine ? "OK" : "Refused: " + toText(fault));
+}
+
 }  // namespace
 
 NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,
@@ -57,6 +63,7 @@ void NodeDiagnostics::publish() {
   message.header.stamp = ros::Time::now();
   if (health.covariance) message.status.push_back(deviationStatus(*health.covariance, options_));
   message.status.push_back(scanStatus(health));
+  if (health.match) message.status.push_back(matchStatus(*health.match));
   publisher_.publish(message);
   complain(health.missing);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "adaptive_localization/match/scan_matcher.hpp"
 #include "node_options.hpp"
 #include "scan_source.hpp"
 
@@ -18,10 +19,12 @@ struct NodeHealth {
   ScanSource::Counts scans;
   std::string missing;                        // what localizing waits for; empty: nothing
   std::optional<Eigen::Matrix3d> covariance;  // of the last pose, if there is one
+  std::optional<MatchFault> match;            // of the last scan that was matched with the map
 };
 
 /// Once a second, whether scans come or not, sends /diagnostics: amcl's "Standard deviation", and
-/// "Scans" with their counters and what is missing. What stays missing goes to the log as well.
+/// "Scans" with their counters and what is missing, and of filters that match scans "Match" with
+/// the reason if the last one was refused. What stays missing goes to the log as well.
 class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,

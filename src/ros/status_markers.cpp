@@ -38,14 +38,15 @@ Marker textAt(const Pose2& T_map_base, const std::string& text) {
 }  // namespace
 
 visualization_msgs::MarkerArray statusMarkers(const std_msgs::Header& header,
-                                              const Localization& answer) {
+                                              const Localization& answer, const Match* match) {
   visualization_msgs::MarkerArray array;
   Marker none;
   none.action = Marker::DELETEALL;
   array.markers.push_back(none);
   if (answer.status == Status::kUninitialised) return array;
-  array.markers.push_back(
-      textAt(answer.T_map_base, toText(answer.status) + print(" %.2f", answer.confidence)));
+  std::string status = toText(answer.status) + print(" %.2f", answer.confidence);
+  if (match && !match->isGood()) status += "\nnot matched: " + toText(match->fault);
+  array.markers.push_back(textAt(answer.T_map_base, status));
   const auto& modes = answer.modes;
   for (std::size_t i = 0; i < std::min(modes.size(), kMost); ++i) {
     if (areSamePlace(modes[i].T_map_base, answer.T_map_base)) continue;

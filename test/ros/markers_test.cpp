@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ros/match_marker.hpp"
 #include "ros/ser_marker.hpp"
 #include "ros/status_markers.hpp"
 #include "support/toy_world.hpp"
@@ -85,6 +86,57 @@ TEST_F(SerMarker, IsDeletedWhereTheRegionIsEmpty) {
   }
 }
 
+Match matchOf(const Scan& scan) {
+  Match match;
+  match.T_map_base = {1.0, 2.0, 0.5};
+  match.fits.assign(static_cast<std::size_t>(scan.hits()), 1);
+  match.fits[2] = 0;
+  return match;
+}
+
+TEST(MatchMarker, ShowsHitsInTheMapGreenIfTheyFit) {
+  const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.6, 1.4, 0.7}).scan;
+  ASSERT_GT(scan.hits(), 5);
+  const Match match = matchOf(scan);
+  const Marker marker = matchMarker({}, &match, scan);
+  EXPECT_EQ(marker.action, Marker::ADD);
+  EXPECT_EQ(marker.type, Marker::POINTS);
+  ASSERT_THAT(marker.points, SizeIs(static_cast<std::size_t>(scan.hits())));
+  ASSERT_THAT(marker.colors, SizeIs(marker.points.size()));
+  for (std::size_t i = 0; i < marker.points.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const Eigen::Vector2d hit = match.T_map_base * Eigen::Vector2d(scan.x[k], scan.y[k]);
+    EXPECT_NEAR(marker.points[i].x, hit.x(), 1e-9);
+    EXPECT_NEAR(marker.points[i].y, hit.y(), 1e-9);
+    EXPECT_EQ(marker.colors[i].g > marker.colors[i].r, i != 2) << i;
+    EXPECT_EQ(marker.colors[i].a, 1.0F);
+  }
+}
+
+TEST(MatchMarker, NothingIsGreenInAMatchThatWasRefused) {
+  const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.6, 1.4, 0.7}).scan;
+  Match match = matchOf(scan);
+  match.fault = MatchFault::kOutliers;
+  const Marker marker = matchMarker({}, &match, scan);
+  ASSERT_THAT(marker.colors, SizeIs(static_cast<std::size_t>(scan.hits())));
+  for (const auto& colour : marker.colors) EXPECT_GT(colour.r, colour.g);
+  EXPECT_NE(marker.colors[1].g, marker.colors[2].g);
+}
+
+TEST(MatchMarker, IsDeletedWithoutAMatchOfThisScan) {
+  const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.6, 1.4, 0.7}).scan;
+  Match other = matchOf(scan);
+  other.fits.pop_back();
+  for (const Match* match :
+       {static_cast<const Match*>(nullptr), static_cast<const Match*>(&other)}) {
+    const Marker marker = matchMarker({}, match, scan);
+    EXPECT_EQ(marker.action, Marker::DELETE);
+    EXPECT_THAT(marker.points, SizeIs(0));
+    EXPECT_EQ(marker.ns, "match");
+  }
+  EXPECT_EQ(matchMarker({}, &other, Scan{}).action, Marker::DELETE);
+}
+
 Localization answerWith(Status status, std::size_t modes) {
   Localization answer;
   answer.status = status;
@@ -101,7 +153,7 @@ Localization answerWith(Status status, std::size_t modes) {
 }
 
 TEST(StatusMarkers, SayTheStatusAndTheOtherPlaces) {
-  const auto markers = statusMarkers({}, answerWith(Status::kAmbiguous, 2)).markers;
+  const auto markers = statusMarkers({}, answerWith(Status::kAmbiguous, 2), nullptr).markers;
   ASSERT_THAT(markers, SizeIs(3));
   EXPECT_EQ(markers[0].action, Marker::DELETEALL);
   EXPECT_EQ(markers[1].text, "ambiguous 0.50");
@@ -111,10 +163,21 @@ TEST(StatusMarkers, SayTheStatusAndTheOtherPlaces) {
   for (std::size_t i = 1; i < 3; ++i) EXPECT_EQ(markers[i].color.a, 1.0F);
 }
 
+TEST(StatusMarkers, SayWhyAScanWasNotMatched) {
+  Match match;
+  const auto textWith = [&](MatchFault fault) {
+    match.fault = fault;
+    return statusMarkers({}, answerWith(Status::kTracking, 1), &match).markers.at(1).text;
+  };
+  EXPECT_EQ(textWith(MatchFault::kNone), "tracking 0.50");
+  EXPECT_EQ(textWith(MatchFault::kFewHits), "tracking 0.50\nnot matched: too few hits");
+}
+
 TEST(StatusMarkers, AreFewForManyPlacesAndNoneWithoutAPose) {
-  EXPECT_THAT(statusMarkers({}, answerWith(Status::kGlobalizing, 500)).markers, SizeIs(22));
-  EXPECT_THAT(statusMarkers({}, answerWith(Status::kTracking, 0)).markers, SizeIs(2));
-  EXPECT_THAT(statusMarkers({}, answerWith(Status::kUninitialised, 3)).markers, SizeIs(1));
+  EXPECT_THAT(statusMarkers({}, answerWith(Status::kGlobalizing, 500), nullptr).markers,
+              SizeIs(22));
+  EXPECT_THAT(statusMarkers({}, answerWith(Status::kTracking, 0), nullptr).markers, SizeIs(2));
+  EXPECT_THAT(statusMarkers({}, answerWith(Status::kUninitialised, 3), nullptr).markers, SizeIs(1));
 }
 
 }  // namespace

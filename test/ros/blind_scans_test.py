@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scans that cannot be matched, of eight hits or of garbage: the Kalman filter goes on with the
+odometry, is less sure with each scan, and the node says why; then scans are good again."""
+import math
+import sys
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from localization_case import initial_pose
+from toy_robot import ToyRobotCase, room
+from visualization_msgs.msg import MarkerArray
+
+
+class BlindScans(ToyRobotCase):
+    def setUp(self):
+        super().setUp()
+        self.spoil = lambda ranges: ranges
+        self.variances, self.texts = [], []
+        self.subscribers += [
+            rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped,
+                             lambda m: self.variances.append(m.pose.covariance[0])),
+            rospy.Subscriber("adaptive_localization/status_text", MarkerArray,
+                             lambda m: self.texts.extend(marker.text for marker in m.markers))]
+
+    def scan_message(self, *arguments, **named):
+        message = super().scan_message(*arguments, **named)
+        message.ranges = self.spoil(message.ranges)
+        return message
+
+    def test_unmatched_scans_leave_the_odometry_and_growing_doubt(self):
+        self.maps.publish(room())
+        self.wait_for_log("Map of")
+        self.initial_poses.publish(initial_pose(*self.pose))
+        self.wait_for_log("Initial pose")
+        self.steps(10, (0.11, 0.0, 0.02))
+        self.wait_for(lambda: self.status() == "tracking", "tracking")
+        self.assertLess(self.error(), 0.05)
+        self.assertEqual(self.status_values()["match"], "used")
+
+        few = lambda ranges: [r if i % 23 == 0 else math.inf for i, r in enumerate(ranges)]
+        garbage = lambda ranges: [0.5 + 4.0 * (i * 7919 % 181) / 181 for i, _ in enumerate(ranges)]
+        for spoil, why in [(few, "too few hits"),
+                           (garbage, "too many hits are not of the map")]:
+            with self.subTest(why=why):
+                self.spoil = spoil
+                self.forget()
+                self.variances.clear()
+                self.texts.clear()
+                self.steps(6, (0.11, 0.0, 0.0))
+                self.wait_for(lambda: self.status_values().get("match") == why, why)
+                self.wait_for(lambda: self.diagnostic("Match"), "diagnostics")
+                self.wait_for(lambda: self.diagnostic("Match")[1] == "Refused: " + why, why)
+                self.assertEqual(self.diagnostic("Match")[0], DiagnosticStatus.WARN)
+                self.assertTrue([t for t in self.texts if t.endswith("not matched: " + why)],
+                                self.texts)
+                self.assertGreaterEqual(len(self.variances), 5)
+                for before, after in zip(self.variances, self.variances[1:]):
+                    self.assertGreater(after, before)
+                self.assertLess(self.error(), 0.05)
+
+                self.spoil = lambda ranges: ranges
+                self.steps(12, (-0.055, 0.0, 0.0))
+                self.wait_for(lambda: self.status() == "tracking", "tracking again")
+                self.assertLess(self.error(), 0.05)
+                self.assertEqual(self.status_values()["match"], "used")
+                self.assertLess(self.variances[-1], max(self.variances))
+
+
+if __name__ == "__main__":
+    rospy.init_node("blind_scans_test")
+    rostest.rosrun("adaptive_localization", "blind_scans", BlindScans, sys.argv)

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""People walk about the maze, and the Kalman filter that matches scans does not mind them; it is
+also found after it was carried away and from an unknown start."""
+import sys
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import PoseStamped
+from localization_case import LocalizationCase
+from std_srvs.srv import Empty
+from visualization_msgs.msg import Marker, MarkerArray
+
+
+class People(LocalizationCase):
+    def setUp(self):
+        super().setUp()
+        self.matches, self.people, self.diagnostics = [], [], []
+        self.subscribers += [
+            rospy.Subscriber("adaptive_localization/match", Marker, self.matches.append),
+            rospy.Subscriber("p3dx_simulator/truth_markers", MarkerArray, self.people.append),
+            rospy.Subscriber("/diagnostics", DiagnosticArray, self.diagnostics.append)]
+        self.wait_for(lambda: self.is_accurate(0.0) and self.status() == "tracking", "tracking")
+
+    def test_a_drive_among_people(self):
+        begin = rospy.get_time()
+        self.wait_for_time(60)
+        errors = self.errors(begin)
+        self.assertGreater(len(errors), 60)
+        print("largest error %.3f m, %.2f deg, mean %.3f m of %d poses" % (
+            max(m for _, m, _ in errors), max(d for _, _, d in errors),
+            sum(m for _, m, _ in errors) / len(errors), len(errors)))
+        for stamp, metres, degrees in errors:
+            self.assertLess(metres, 0.1, "at %.1f s" % stamp)
+            self.assertLess(degrees, 3.0, "at %.1f s" % stamp)
+        self.assertEqual(self.status(), "tracking")
+
+        fitting, strangers = 0, 0
+        for marker in self.matches:
+            self.assertEqual(len(marker.points), len(marker.colors))
+            fitting += sum(c.g > c.r and c.g > c.b for c in marker.colors)
+            strangers += sum(c.b > c.g for c in marker.colors)
+        print("%d hits fit, %d do not" % (fitting, strangers))
+        self.assertGreater(fitting, 1000)
+        self.assertGreater(strangers, 100)
+        self.assertGreater(fitting, strangers)
+        values = self.status_values()
+        self.assertIn("match", values)
+        self.assertGreater(float(values["match inliers"]), 0.0)
+        names = {s.name for array in self.diagnostics for s in array.status}
+        self.assertIn("adaptive_localization: Match", names)
+
+    def test_found_among_people_after_being_carried_and_from_anywhere(self):
+        kidnaps = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
+        self.wait_for(lambda: kidnaps.get_num_connections() > 0, "the simulator")
+        message = PoseStamped()
+        message.header.frame_id = "map"
+        message.pose.position.x, message.pose.position.y = 5.5, 2.7
+        message.pose.orientation.w = 1.0
+        begin = rospy.get_time()
+        kidnaps.publish(message)
+        self.wait_for(lambda: self.status() != "tracking", "the node to notice")
+        self.assert_found(begin + 1.0, "carried")
+        rospy.ServiceProxy("global_localization", Empty)()
+        self.assert_found(rospy.get_time(), "anywhere")
+
+    def assert_found(self, begin, what):
+        self.wait_for(lambda: self.is_accurate(begin, 0.1, 3.0) and self.status() == "tracking",
+                      "the robot to be found")
+        print("%s: found %.1f s later" % (what, rospy.get_time() - begin))
+
+
+if __name__ == "__main__":
+    rospy.init_node("people_test")
+    rostest.rosrun("adaptive_localization", "people", People, sys.argv)
