@@ -9,6 +9,7 @@
 
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "adaptive_localization/sim/survey.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
@@ -76,13 +77,16 @@ std::optional<DriveBound> makeBound(const ExperimentSite& site, const Experiment
 }  // namespace
 
 ExperimentSite loadSite(const ExperimentCase& of_case) {
-  constexpr double kMargin = 0.01;  // m, as the simulation has it
+  constexpr double kSurveyCell = 0.05;  // m
+  constexpr double kMargin = 0.01;      // m, as the simulation has it
   const SimulationOptions options = SimulationOptions::from(of_case.simulation);
   ExperimentSite site;
   site.site = loadSite(of_case.world, options.furniture);
   site.free_space =
       std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
-  site.map = std::make_shared<const OccupancyGrid>(loadMap(of_case.map));
+  site.map = std::make_shared<const OccupancyGrid>(
+      of_case.map.empty() ? survey(loadFloorPlan(of_case.world), kSurveyCell)
+                          : loadMap(of_case.map));
   site.distance_field = std::make_shared<const DistanceField>(*site.map);
   return site;
 }

@@ -89,9 +89,12 @@ void readWorld(const YamlValue& value, ExperimentCase& result) {
     result.map = (fs::path(result.world) / "map.yaml").string();
     result.world = (fs::path(result.world) / "world.yaml").string();
   }
-  if (value.has("map")) result.map = resolve(value.at("map"));
+  if (value.has("map")) {
+    const bool is_surveyed = value.at("map").text() == "surveyed";
+    result.map = is_surveyed ? "" : resolve(value.at("map"));
+  }
   for (const auto& file : {result.world, result.map}) {
-    if (!fs::is_regular_file(file))
+    if (!file.empty() && !fs::is_regular_file(file))
       world.reject("a folder with world.yaml and map.yaml, or a file");
   }
 }

@@ -117,6 +117,14 @@ TEST_F(ExperimentYaml, CasesSayWhatIsDifferentAndTheCommandLineWins) {
   EXPECT_EQ(toy_.load(lines).cases[0].fingerprint, plain.cases[0].fingerprint);
 }
 
+TEST_F(ExperimentYaml, CanHaveAMapAsARobotMakesIt) {
+  const ExperimentCase surveyed = toy_.load("map: surveyed\n").cases.front();
+  const ExperimentCase drawn = toy_.load("").cases.front();
+  EXPECT_NE(loadSite(surveyed).map->lattice().origin().theta, 0.0);
+  EXPECT_EQ(loadSite(drawn).map->lattice().origin().theta, 0.0);
+  EXPECT_NE(surveyed.fingerprint, drawn.fingerprint);
+}
+
 TEST_F(ExperimentYaml, ThatIsWrongIsRejectedWithWhatWasExpected) {
   expectRejected("durations: 3\n", "unknown key 'durations'");
   expectRejected("duration: soon\n", "'duration': got 'soon', expected a number in [0.1, ");

@@ -60,7 +60,7 @@ struct ExperimentCore {
 /// One scenario: a world, what happens in it, and the cores that live through it.
 struct ExperimentCase {
   std::string experiment, label;
-  std::string world, map;                             // YAML files
+  std::string world, map;                             // YAML files; no map: one is surveyed
   std::optional<std::vector<Eigen::Vector2d>> route;  // none: the floor plan's; empty: random
   Spot start;
   bool is_start_known{false};
@@ -82,10 +82,10 @@ struct ExperimentCase {
 ///
 ///     name: kidnap
 ///     sentence: The robot is lifted and put down elsewhere.
-///     world: ../../maps/maze        # a folder with world.yaml and map.yaml, from this file's
-///     place map: ...                      # another map than the world's route: random # or a list
-///     of [x, y]; otherwise the floor plan's start: random                 # or [x, y, yaw], or
-///     {regions: [[x, y, x, y], ...],
+///     world: ../../maps/maze        # a folder with world.yaml and map.yaml, from this file
+///     map: ../map.yaml              # another map than the world's, or surveyed: as by a robot
+///     route: random                 # or a list of [x, y]; otherwise the floor plan's
+///     start: random                 # or [x, y, yaw], or {regions: [[x, y, x, y], ...],
 ///                                   #   yaw: [low, high], farther_than: m}
 ///     start_known: true             # the localizer is told; otherwise it starts anywhere
 ///     told: {off_by: 5.4, turned_by: 0}   # m, rad: what it is told is wrong; or [x, y, yaw]
@@ -100,8 +100,7 @@ struct ExperimentCase {
 ///     probes: [20, 30]              # s
 ///     half_turn: [5, 2.5]           # the map looks the same after half a turn about this point
 ///     options: {update_min_d: 0}    # of all cores
-///     cores:                        # files that options name are looked for from this file's
-///     place
+///     cores:                        # files that options name: from this file's place
 ///       - {filter: amcl, preset: recommended, label: amcl, options: {max_particles: 1000}}
 ///     seeds: {first: 1, count: 100}
 ///     cases:                        # scenarios; each may say any of the above in its own way
