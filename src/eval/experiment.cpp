@@ -80,12 +80,22 @@ void checkLabels(const std::vector<Labelled>& all, const YamlValue& where) {
   }
 }
 
-std::vector<ExperimentCore> readCores(const YamlValue& value, const Overrides& overrides) {
+/// A map of lines can be the world itself.
+void replaceWorld(const std::string& world, Parameters& parameters) {
+  const auto option = parameters.values().find("line_map");
+  if (option != parameters.values().end() && toText(option->second) == "world") {
+    parameters.set("line_map", OptionValue(world));
+  }
+}
+
+std::vector<ExperimentCore> readCores(const YamlValue& value, const std::string& world,
+                                      const Overrides& overrides) {
   std::vector<ExperimentCore> cores;
   for (const auto& entry : value.at("cores").list("a list of cores")) {
     cores.push_back(readCore(entry));
     if (value.has("options")) cores.back().parameters.fill(readOptions(value.at("options")));
     addOptions(overrides, cores.back().parameters);
+    replaceWorld(world, cores.back().parameters);
   }
   checkLabels(cores, value.at("cores"));
   return cores;
@@ -117,7 +127,7 @@ ExperimentCase readCase(const YamlValue& value, const Overrides& overrides) {
     const auto centre = value.at("half_turn").numbers(2, "a point [x, y] in metres");
     result.half_turn = Pose2{centre[0], centre[1], 0.0};
   }
-  result.cores = readCores(value, overrides);
+  result.cores = readCores(value, result.world, overrides);
   if (value.has("seeds")) readSeeds(value.at("seeds"), result);
   result.fingerprint = fingerprint(value, result);
   return result;

@@ -177,7 +177,7 @@ Parameters readOptions(const YamlValue& value) {
   for (const char* key : {"line_map"}) {
     if (!parameters.has(key)) continue;
     const YamlValue file = value.at(key);
-    if (!file.text().empty()) parameters.set(key, OptionValue(resolve(file)));
+    if (file.text() != "world") parameters.set(key, OptionValue(resolve(file)));
   }
   return parameters;
 }

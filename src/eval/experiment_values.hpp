@@ -17,7 +17,8 @@ ExperimentEvent readEvent(const YamlValue& value);
 SuccessRule readSuccess(const YamlValue& value);
 ExperimentCore readCore(const YamlValue& value);
 
-/// Options of cores; a file that one names is looked for from the place of the experiment's.
+/// Options of cores. A file that one names is looked for from the place of the experiment's;
+/// "world" stays as it is.
 Parameters readOptions(const YamlValue& value);
 
 /// A hash of what a case says, its world and its map, but for labels, cores and seeds.

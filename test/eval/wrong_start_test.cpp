@@ -68,6 +68,8 @@ TEST_F(WrongStart, LooksForFilesThatOptionsNameFromItsOwnPlace) {
   const ExperimentCase of_case = load("options: {line_map: world.yaml}\n");
   const auto& values = of_case.cores.front().parameters.values();
   EXPECT_EQ(toText(values.at("line_map")), toy_.folder().file("world.yaml"));
+  const ExperimentCase same = load("options: {line_map: world}\n");
+  EXPECT_EQ(toText(same.cores.front().parameters.values().at("line_map")), same.world);
   expectRejected("options: {line_map: nosuch.yaml}\n", "'options.line_map': got 'nosuch.yaml'");
 }
 

@@ -100,7 +100,7 @@ struct ExperimentCase {
 ///     probes: [20, 30]              # s
 ///     half_turn: [5, 2.5]           # the map looks the same after half a turn about this point
 ///     options: {update_min_d: 0}    # of all cores
-///     cores:                        # files that options name: from this file's place
+///     cores:                        # line_map: world, or a file, from this file's place
 ///       - {filter: amcl, preset: recommended, label: amcl, options: {max_particles: 1000}}
 ///     seeds: {first: 1, count: 100}
 ///     cases:                        # scenarios; each may say any of the above in its own way
