@@ -13,16 +13,20 @@ constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
 
+/// What a filter says, and a few centimetres: clouds are narrower than they are right.
+Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
+  constexpr double kStd = 0.05;  // m, and as much in rad
+  covariance.diagonal().array() += kStd * kStd;
+  return covariance;
+}
+
 /// Whether a match is still of the place that a filter means.
 bool isNear(const Estimate& estimate, const Pose2& matched) {
   constexpr double kGate = 11.34;  // 99 % of a chi-square variable with 3 degrees of freedom
-  constexpr double kStd = 0.1;     // m, and half as much in rad: beyond what the filter says
   const Pose2& pose = estimate.T_map_base;
   const Eigen::Vector3d off(matched.x - pose.x, matched.y - pose.y,
                             wrapAngle(matched.theta - pose.theta));
-  Eigen::Matrix3d covariance = estimate.covariance;
-  covariance.diagonal() += Eigen::Vector3d(kStd * kStd, kStd * kStd, 0.25 * kStd * kStd);
-  return off.dot(covariance.llt().solve(off)) < kGate;
+  return off.dot(loosened(estimate.covariance).llt().solve(off)) < kGate;
 }
 
 /// The matched pose, as sure as the match is where it tells something and as the filter elsewhere:
@@ -113,7 +117,8 @@ void Localizer::relocalize() {
 void Localizer::refine(const Observations& observations) {
   match_.reset();
   if (!matcher_ || filter_->match()) return;
-  match_ = matcher_->match(last_.estimate.T_map_base, observations.scan);
+  const Eigen::Matrix3d prior = loosened(last_.estimate.covariance).inverse();
+  match_ = matcher_->match(last_.estimate.T_map_base, observations.scan, prior);
   if (match_->isGood() && !isNear(last_.estimate, match_->T_map_base)) {
     match_->fault = MatchFault::kJump;
   }

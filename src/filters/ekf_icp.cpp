@@ -51,7 +51,9 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
     kalman_.predict(motion, parts_.motion->covariance(motion));
     if (candidate_) candidate_ = *candidate_ * motion;
   }
-  match_ = parts_.matcher.match(kalman_.mean(), observations.scan);
+  const Eigen::Matrix3d prior = kalman_.covariance().inverse();
+  match_ = parts_.matcher.match(kalman_.mean(), observations.scan,
+                                prior.allFinite() ? prior : Eigen::Matrix3d::Zero());
   const bool is_blind = match_->fault == MatchFault::kFewHits;
   if (!anywhere_ && correct(*match_)) {
     rejected_ = 0;

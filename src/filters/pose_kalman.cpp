@@ -32,7 +32,7 @@ PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed
 
 PoseObservation observationOf(const Pose2& T_map_base, const Match& match,
                               const Eigen::Matrix3d& more) {
-  PoseObservation observation{match.H * off(T_map_base, match.T_map_base), match.H,
+  PoseObservation observation{match.H * off(T_map_base, match.T_map_base) + match.rest, match.H,
                               match.H * more * match.H.transpose()};
   observation.R.diagonal() += match.variance;
   return observation;

@@ -12,8 +12,8 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kLeastHits = 10;          // of a scan that is matched
-constexpr double kLeastTelling = 4.0;   // hits that a direction needs
-constexpr double kTellingShare = 0.02;  // and as a share of all
+constexpr double kLeastTelling = 2.0;   // hits that a direction needs
+constexpr double kTellingShare = 0.01;  // and as a share of all
 constexpr double kSmallStep = 1e-4;     // m: the end
 constexpr double kShrink = 0.7;         // of the reach, from one iteration to the next
 
@@ -56,12 +56,36 @@ double leverOf(const Scan& scan) {
   return std::isfinite(mean) ? std::max(1.0, std::sqrt(mean)) : 1.0;
 }
 
-/// Gauss-Newton, along the directions that hits tell of.
-Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever) {
+/// What is known before, as hits would tell it: information times the variance of a hit.
+struct PriorHits {
+  Pose2 mean;
+  Eigen::Matrix3d A;
+
+  PriorHits(const Pose2& guess, const Eigen::Matrix3d& information, double hit_variance,
+            double lever)
+      : mean(guess) {
+    const Eigen::DiagonalMatrix<double, 3> scale(1.0, 1.0, 1.0 / lever);
+    A = hit_variance * (scale * information * scale);
+  }
+  bool isNone() const { return A.isZero(0.0); }
+};
+
+/// Gauss-Newton: with a prior in all directions, without one in those that hits tell of.
+Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever,
+                  const PriorHits& prior) {
   const NormalEquations normal(pairs, lever);
-  const Directions telling(normal);
-  const Match::Vector along = (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
-  const Eigen::Vector3d step = telling.columns * along;
+  Eigen::Vector3d step;
+  if (prior.isNone()) {
+    const Directions telling(normal);
+    const Match::Vector along =
+        (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
+    step = telling.columns * along;
+  } else {
+    const Eigen::Vector3d off(from.x - prior.mean.x, from.y - prior.mean.y,
+                              lever * wrapAngle(from.theta - prior.mean.theta));
+    step = (normal.A + prior.A).llt().solve(normal.b + prior.A * off);
+  }
+  if (!step.allFinite()) return from;
   return {from.x - step.x(), from.y - step.y(), wrapAngle(from.theta - step.z() / lever)};
 }
 
@@ -124,7 +148,7 @@ ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& ma
   return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines)};
 }
 
-Match ScanMatcher::match(const Pose2& guess, const Scan& scan) const {
+Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {
   Match match;
   match.T_map_base = guess;
   match.fits.assign(static_cast<std::size_t>(scan.hits()), 0);
@@ -132,20 +156,21 @@ Match ScanMatcher::match(const Pose2& guess, const Scan& scan) const {
     match.fault = MatchFault::kFewHits;
     return match;
   }
-  align(scan, match);
+  align(scan, prior, match);
   rate(scan, match);
   return match;
 }
 
-void ScanMatcher::align(const Scan& scan, Match& match) const {
+void ScanMatcher::align(const Scan& scan, const Eigen::Matrix3d& information, Match& match) const {
   const double lever = leverOf(scan);
+  const PriorHits prior(match.T_map_base, information, hitVariance(), lever);
   MatchPairs pairs;
   double reach = options_.match_reach;
   while (match.iterations < options_.match_max_iterations) {
     pairAt(match.T_map_base, scan, reach, pairs);
     weigh(pairs, scan.hits(), reach);
     const Pose2 before = match.T_map_base;
-    match.T_map_base = options_.match_metric == "line" ? stepToLines(before, pairs, lever)
+    match.T_map_base = options_.match_metric == "line" ? stepToLines(before, pairs, lever, prior)
                                                        : stepToPoints(before, pairs);
     ++match.iterations;
     const bool is_last_reach = reach <= options_.match_reach_end;
@@ -182,6 +207,10 @@ void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach
   }
 }
 
+double ScanMatcher::hitVariance() const {
+  return options_.match_range_std * options_.match_range_std / options_.match_information;
+}
+
 /// Outliers are the fewer the nearer the pose is: the kernel narrows with the reach.
 void ScanMatcher::weigh(MatchPairs& pairs, int hits, double reach) const {
   constexpr double kKernels = 2.0;  // in a reach
@@ -212,11 +241,12 @@ void ScanMatcher::rate(const Scan& scan, Match& match) const {
   const double lever = leverOf(scan);
   const NormalEquations normal(pairs, lever);
   const Directions telling(normal);
-  const double least = options_.match_range_std * options_.match_range_std;
-  const double variance = std::max(least, normal.weight > 0 ? normal.squares / normal.weight : 0);
+  const double seen = normal.weight > 0.0 ? normal.squares / normal.weight : 0.0;
+  const double variance = std::max(hitVariance(), seen / options_.match_information);
   match.H = telling.columns.transpose();
   match.H.col(2) *= lever;
-  match.variance = variance / options_.match_information * telling.hits.cwiseInverse();
+  match.variance = variance * telling.hits.cwiseInverse();
+  match.rest = -(telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
   const Eigen::Vector3d map_std(options_.match_map_std, options_.match_map_std,
                                 options_.match_map_turn_std);
   match.variance += (match.H * map_std.asDiagonal()).rowwise().squaredNorm();

@@ -22,10 +22,10 @@ struct MatchOptions {
   int match_max_iterations{15};
   double match_reach{0.5};
   double match_reach_end{0.15};
-  double match_kernel{0.05};
+  double match_kernel{0.1};
   double match_keep{0.0};
   double match_range_std{0.03};
-  double match_information{1.0};
+  double match_information{0.05};
   double match_map_std{0.01};
   double match_map_turn_std{0.002};
   double match_least_inliers{0.4};
@@ -71,8 +71,8 @@ struct MatchOptions {
 enum class MatchFault { kNone, kFewHits, kOutliers, kSingular, kJump };
 std::string toText(MatchFault fault);
 
-/// A scan aligned with the map: the pose, and how sure the scan makes it. Each row h of H is a
-/// direction over (x, y, theta) of which the scan tells something: h . (found - true pose) has that
+/// A scan aligned with the map: the pose, and what the scan tells of it. Each row h of H is a
+/// direction over (x, y, theta) of which it tells something: h . (pose - true pose) + rest has that
 /// row's variance, and rows do not depend on each other. Fewer than three rows along a corridor.
 struct Match {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
@@ -81,6 +81,7 @@ struct Match {
   Pose2 T_map_base;
   Rows H{0, 3};
   Vector variance{0};
+  Vector rest{0};  // how much further the scan would go without the prior; 0 if there was none
   double mean_distance{0.0};  // m, of the hits that fit
   double inlier_ratio{0.0};   // share of the hits that fit
   int iterations{0};
@@ -112,10 +113,15 @@ class ScanMatcher {
  public:
   ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces);
 
-  Match match(const Pose2& guess, const Scan& scan) const;
+  /// The pose near a guess that fits the scan. With a prior, the information over (x, y, theta)
+  /// that the guess has, the sum above / sigma^2 and the guess's Mahalanobis distance are made
+  /// small together: the step of an iterated Kalman filter (Bell and Cathey 1993).
+  Match match(const Pose2& guess, const Scan& scan,
+              const Eigen::Matrix3d& prior = Eigen::Matrix3d::Zero()) const;
 
  private:
-  void align(const Scan& scan, Match& match) const;
+  void align(const Scan& scan, const Eigen::Matrix3d& prior, Match& match) const;
+  double hitVariance() const;
   void pairAt(const Pose2& T_map_base, const Scan& scan, double reach, MatchPairs& pairs) const;
   void weigh(MatchPairs& pairs, int hits, double reach) const;
   void rate(const Scan& scan, Match& match) const;
