@@ -10,12 +10,12 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr int kReach = 3;            // cells round about that a line is fitted to
-constexpr double kSpread = 1.5;      // cells, of the weights
-constexpr int kLeastCells = 3;       // that make a line
-constexpr double kRoughness = 0.4;   // variance across a line against that along it
-constexpr float kHalfCells = 1.0F;   // half the length of a piece of wall
-constexpr double kLongestWay = 1e6;  // cells
+constexpr int kReach = 3;           // cells round about that a line is fitted to
+constexpr double kSpread = 1.5;     // cells, of the weights
+constexpr int kLeastCells = 3;      // that make a line
+constexpr double kRoughness = 0.4;  // variance across a line against that along it
+constexpr float kHalfCells = 1.0F;  // half the length of a piece of wall
+constexpr double kBeyond = 2.0;     // m that labels reach beyond all surfaces
 
 /// Occupied, and free ground touches it: what a laser sees of a wall that is several cells thick.
 bool isVisible(const OccupancyGrid& grid, const Cell& c) {
@@ -59,14 +59,15 @@ int freeAlong(const OccupancyGrid& grid, const Cell& cell, const Eigen::Vector2d
 
 class Fitter {
  public:
-  Fitter(const OccupancyGrid& grid, const std::vector<std::uint8_t>& is_surface)
-      : grid_(grid), is_surface_(is_surface) {}
+  Fitter(const OccupancyGrid& grid, const std::vector<std::uint8_t>& is_visible)
+      : grid_(grid), is_visible_(is_visible) {}
 
   /// The line through the cells around one; none where they make no line.
   std::optional<Surface> fit(const Cell& cell) const {
     const Scatter scatter = scatterAround(cell);
     if (scatter.count < kLeastCells) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter.covariance());
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(scatter.covariance());
     const Eigen::Vector2d across = solver.eigenvectors().col(0);
     if (solver.eigenvalues()[0] > kRoughness * solver.eigenvalues()[1]) return std::nullopt;
     const int left = freeAlong(grid_, cell, across);
@@ -89,79 +90,92 @@ class Fitter {
       for (int dx = -kReach; dx <= kReach; ++dx) {
         const Cell other{cell.x + dx, cell.y + dy};
         if (!grid_.lattice().contains(other)) continue;
-        if (is_surface_[grid_.lattice().index(other)]) scatter.add({dx, dy});
+        if (is_visible_[grid_.lattice().index(other)]) scatter.add({dx, dy});
       }
     }
     return scatter;
   }
 
   const OccupancyGrid& grid_;
-  const std::vector<std::uint8_t>& is_surface_;
+  const std::vector<std::uint8_t>& is_visible_;
 };
 
 }  // namespace
 
 SurfaceMap::SurfaceMap(const OccupancyGrid& grid) : lattice_(grid.lattice()) {
-  std::vector<std::uint8_t> is_surface(lattice_.size());
-  for (std::size_t i = 0; i < lattice_.size(); ++i) {
-    is_surface[i] = isVisible(grid, lattice_.cell(i)) ? 1 : 0;
-  }
-  const Fitter fitter(grid, is_surface);
-  std::vector<std::int32_t> seeds(lattice_.size(), -1);
-  for (std::size_t i = 0; i < lattice_.size(); ++i) {
-    if (!is_surface[i]) continue;
-    if (const auto surface = fitter.fit(lattice_.cell(i))) {
-      seeds[i] = static_cast<std::int32_t>(surfaces_.size());
-      surfaces_.push_back(*surface);
+  std::vector<std::uint8_t> is_visible(lattice_.size());
+  std::vector<Cell> visible;
+  for (int y = 0; y < lattice_.height(); ++y) {
+    for (int x = 0; x < lattice_.width(); ++x) {
+      if (!isVisible(grid, {x, y})) continue;
+      is_visible[lattice_.index({x, y})] = 1;
+      visible.push_back({x, y});
     }
   }
-  spread(std::move(seeds));
+  const Fitter fitter(grid, is_visible);
+  std::vector<Seed> seeds;
+  for (const Cell& cell : visible) {
+    const auto surface = fitter.fit(cell);
+    if (!surface) continue;
+    seeds.push_back({cell, static_cast<std::uint32_t>(surfaces_.size())});
+    surfaces_.push_back(*surface);
+  }
+  spread(seeds);
 }
 
 SurfaceMap::SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segments)
     : lattice_(lattice) {
-  std::vector<std::int32_t> seeds(lattice_.size(), -1);
-  std::vector<double> ways(lattice_.size(), kLongestWay);
+  std::vector<Seed> seeds;
   for (const Segment& segment : segments) {
     const Eigen::Vector2d along = segment.b - segment.a;
     const double length = along.norm();
     if (!(length > 0.0)) continue;
+    const auto index = static_cast<std::uint32_t>(surfaces_.size());
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()) / length;
-    const auto label = static_cast<std::int32_t>(surfaces_.size());
     surfaces_.push_back({(0.5 * (segment.a + segment.b)).cast<float>(), normal.cast<float>(),
                          static_cast<float>(0.5 * length), false});
     const int steps = static_cast<int>(std::ceil(2.0 * length / lattice_.resolution()));
     for (int k = 0; k <= steps; ++k) {
-      const Eigen::Vector2d at = segment.a + along * (static_cast<double>(k) / steps);
-      const Cell cell = lattice_.cellAt(at);
-      if (!lattice_.contains(cell)) continue;
-      const std::size_t i = lattice_.index(cell);
-      const double way = distance(segment, lattice_.centre(cell));
-      if (way >= ways[i]) continue;
-      ways[i] = way;
-      seeds[i] = label;
+      const Cell cell = lattice_.cellAt(segment.a + along * (static_cast<double>(k) / steps));
+      if (lattice_.contains(cell)) seeds.push_back({cell, index});
     }
   }
-  spread(std::move(seeds));
+  const auto way = [&](const Seed& seed) {  // the last in a cell is the one that counts
+    const Surface& surface = surfaces_[seed.surface];
+    const Eigen::Vector2d off = lattice_.centre(seed.cell) - surface.point.cast<double>();
+    return std::abs(off.dot(surface.normal.cast<double>()));
+  };
+  std::stable_sort(seeds.begin(), seeds.end(),
+                   [&](const Seed& a, const Seed& b) { return way(a) > way(b); });
+  spread(seeds);
 }
 
 /// Each cell takes the label of the seed nearest to it (OpenCV's 5 x 5 chamfer distance).
-void SurfaceMap::spread(std::vector<std::int32_t> seeds) {
-  if (surfaces_.empty()) return;
-  cv::Mat is_empty(lattice_.height(), lattice_.width(), CV_8U);
-  for (std::size_t i = 0; i < seeds.size(); ++i) is_empty.data[i] = seeds[i] < 0 ? 255 : 0;
-  cv::Mat distances, nearest;
+void SurfaceMap::spread(const std::vector<Seed>& seeds) {
+  if (seeds.empty()) return;
+  const int beyond = static_cast<int>(std::ceil(kBeyond / lattice_.resolution()));
+  Cell low = seeds.front().cell, high = low;
+  for (const Seed& seed : seeds) {
+    low = {std::min(low.x, seed.cell.x), std::min(low.y, seed.cell.y)};
+    high = {std::max(high.x, seed.cell.x), std::max(high.y, seed.cell.y)};
+  }
+  first_ = {std::max(0, low.x - beyond), std::max(0, low.y - beyond)};
+  width_ = std::min(lattice_.width(), high.x + beyond + 1) - first_.x;
+  height_ = std::min(lattice_.height(), high.y + beyond + 1) - first_.y;
+
+  cv::Mat is_empty(height_, width_, CV_8U, cv::Scalar(255)), distances, nearest;
+  for (const Seed& seed : seeds) {
+    is_empty.at<std::uint8_t>(seed.cell.y - first_.y, seed.cell.x - first_.x) = 0;
+  }
   cv::distanceTransform(is_empty, distances, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
-  const auto* pixels = nearest.ptr<std::int32_t>();
-  const auto count = static_cast<std::size_t>(*std::max_element(pixels, pixels + seeds.size()));
-  std::vector<std::int32_t> seed_of(count + 1, -1);
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    if (seeds[i] >= 0) seed_of[static_cast<std::size_t>(pixels[i])] = seeds[i];
+  std::vector<std::uint32_t> surface_of(seeds.size() + 1);  // OpenCV's labels start at 1
+  for (const Seed& seed : seeds) {
+    const auto label = nearest.at<std::int32_t>(seed.cell.y - first_.y, seed.cell.x - first_.x);
+    surface_of[static_cast<std::size_t>(label)] = seed.surface;
   }
-  labels_.resize(seeds.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    labels_[i] = seed_of[static_cast<std::size_t>(pixels[i])];
-  }
+  const auto* label = nearest.ptr<std::int32_t>();
+  labels_.resize(nearest.total());
+  for (std::uint32_t& surface : labels_) surface = surface_of[static_cast<std::size_t>(*label++)];
 }
 
 }  // namespace adaptive_localization

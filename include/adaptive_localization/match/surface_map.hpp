@@ -34,23 +34,31 @@ class SurfaceMap {
 
   const Lattice& lattice() const { return lattice_; }
 
-  /// Null outside the lattice and where there is no surface at all.
+  /// Null more than two metres beyond all surfaces and outside the lattice.
   const Surface* nearest(const Eigen::Vector2d& point_map) const {
     const Cell cell = lattice_.cellAt(point_map);
-    if (labels_.empty() || !lattice_.contains(cell)) return nullptr;
-    const std::int32_t label = labels_[lattice_.index(cell)];
-    return label < 0 ? nullptr : &surfaces_[static_cast<std::size_t>(label)];
+    const auto column = static_cast<std::int64_t>(cell.x) - first_.x;
+    const auto row = static_cast<std::int64_t>(cell.y) - first_.y;
+    if (column < 0 || column >= width_ || row < 0 || row >= height_) return nullptr;
+    return &surfaces_[labels_[static_cast<std::size_t>(row * width_ + column)]];
   }
 
   /// All of them.
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  void spread(std::vector<std::int32_t> seeds);
+  /// A surface and the cell that it is in.
+  struct Seed {
+    Cell cell;
+    std::uint32_t surface;
+  };
+  void spread(const std::vector<Seed>& seeds);
 
   Lattice lattice_;
   std::vector<Surface> surfaces_;
-  std::vector<std::int32_t> labels_;  // index of the nearest surface, -1: none; row-major
+  Cell first_{0, 0};  // of the part of the lattice that has labels
+  int width_{0}, height_{0};
+  std::vector<std::uint32_t> labels_;  // index of the nearest surface, row-major
 };
 
 }  // namespace adaptive_localization
