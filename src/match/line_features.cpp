@@ -26,7 +26,8 @@ LineHits finiteHits(const Scan& scan) {
   hits.reserve(static_cast<std::size_t>(scan.hits()));
   for (Eigen::Index i = 0; i < scan.hits(); ++i) {
     const Point point(scan.x[i], scan.y[i]);
-    const LineHit hit{point, (point - scan.position).normalized(), scan.range[i], scan.bearing[i]};
+    const LineHit hit{point, (point - scan.position).normalized(), scan.range[i], scan.bearing[i],
+                      static_cast<int>(i)};
     if (point.allFinite() && std::isfinite(hit.range) && std::isfinite(hit.bearing)) {
       hits.push_back(hit);
     }
@@ -87,7 +88,7 @@ ScanLine describe(const LineHits& hits, const LinePart& part, double range_std) 
   };
   result.a = onto(hits[part.first]);
   result.b = onto(hits[part.last - 1]);
-  result.points = static_cast<int>(part.size());
+  for (std::size_t i = part.first; i < part.last; ++i) result.hits.push_back(hits[i].index);
   return result;
 }
 

@@ -12,6 +12,7 @@ struct LineHit {
   Eigen::Vector2d point, beam;  // in base; the beam of length 1
   double range;
   double bearing;
+  int index;  // in the scan
 };
 using LineHits = std::vector<LineHit>;
 

@@ -59,14 +59,14 @@ TEST(LinesOf, ARoomAreItsWallsWithoutNoise) {
     const Pose2 pose = poseInRoom(rng);
     const auto lines = linesOf(laser.scan(pose, room(), rng), noNoise());
     ASSERT_THAT(lines, SizeIs(AllOf(Ge(4U), Le(5U))));  // the one behind is cut where the scan is
-    int points = 0;
+    std::size_t points = 0;
     double length = 0.0;
     for (const auto& line : lines) {
       ASSERT_LT(errorOf(line, pose, room()).norm(), 1e-5) << "rho " << line.rho;
-      points += line.points;
+      points += line.hits.size();
       length += line.length();
     }
-    EXPECT_GT(points, 340);
+    EXPECT_GT(points, 340U);
     EXPECT_GT(length, 16.0);
     EXPECT_LT(length, 20.001);
   }
@@ -154,7 +154,7 @@ TEST(LinesOf, PeopleMakeNone) {
     people_seen += 4;
     for (const auto& line : linesOf(laser.scan(pose, room(), rng), options)) {
       for (const auto& end : {line.a, line.b}) {
-        ASSERT_LT(toWalls(pose * end, room()), 0.05) << "round " << i << ": " << line.points;
+        ASSERT_LT(toWalls(pose * end, room()), 0.05) << "round " << i << ": " << line.hits.size();
       }
     }
   }
@@ -214,7 +214,7 @@ TEST(LinesOf, NothingComesOutThatIsNotFinite) {
                   line.b.allFinite() && line.covariance.allFinite());
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(line.covariance);
       ASSERT_GE(solver.eigenvalues().minCoeff(), -1e-9 * solver.eigenvalues().maxCoeff());
-      ASSERT_GE(line.points, 3);
+      ASSERT_GE(line.hits.size(), 3U);
     }
   }
   EXPECT_GT(lines, 20U);

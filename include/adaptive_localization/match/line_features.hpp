@@ -17,6 +17,7 @@ struct LineOptions {
   double line_gate{9.21};
   double line_lead{4.0};
   double line_overlap{0.7};
+  double line_least_inliers{0.2};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -36,6 +37,8 @@ struct LineOptions {
            "less the line is not used.");
     option("line_overlap", line_overlap, kProbability, "",
            "Share of a line's length that must lie along the map's line.");
+    option("line_least_inliers", line_least_inliers, kProbability, "",
+           "A scan of which a smaller share is on matched lines is not matched.");
   }
 };
 
@@ -47,7 +50,7 @@ struct ScanLine {
   double alpha{0.0};                                    // rad
   Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};  // over (rho, alpha)
   Eigen::Vector2d a{0.0, 0.0}, b{0.0, 0.0};             // ends in base, m, as the beams pass them
-  int points{0};
+  std::vector<int> hits;                                // of the scan, in their order
 
   double length() const { return (b - a).norm(); }
 };
