@@ -56,6 +56,8 @@ MatchOptions with(const std::string& metric, const std::string& outliers = "kern
   options.match_metric = metric;
   options.match_outliers = outliers;
   options.match_max_iterations = metric == "point" ? 60 : 15;
+  options.match_information = 1.0;
+  options.match_map_std = options.match_map_turn_std = 0.0;  // the lines are exact
   return options;
 }
 
