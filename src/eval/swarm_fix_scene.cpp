@@ -96,7 +96,8 @@ FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles
   context.distance_field = distance_field_;
   context.places = places_;
   context.seed = seed;
-  for (const auto& [key, value] : FilterRegistry().find(filter).recommended) {
+  const FilterRegistry registry;
+  for (const auto& [key, value] : registry.find(filter).recommended) {
     context.parameters.set(key, value);
   }
   context.parameters.set("max_particles", OptionValue(particles));

@@ -117,12 +117,12 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   const auto matching = given.read<MatchOptions>();
   std::unique_ptr<ScanMatcher> matcher;
   if (fixing.swarm_match) {
-    matcher =
-        std::make_unique<ScanMatcher>(matching, std::make_shared<const SurfaceMap>(*context.map));
+    matcher = std::make_unique<ScanMatcher>(makeScanMatcher(matching, *context.map));
   }
-  parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
-                                             given.read<EnergyGridOptions>().energy_max_range,
-                                             context.map, places, std::move(matcher));
+  parts.fixer =
+      std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
+                                   given.read<EnergyGridOptions>().energy_max_range, context.map,
+                                   context.distance_field, places, std::move(matcher));
   parts.elsewhere = makeSampler(context, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);
@@ -138,7 +138,6 @@ FilterDescription swarmFilter(const std::string& name, const std::string& senten
   append(describe(SwarmFilterOptions{}));
   append(describe(SwarmFixOptions{}));
   append(describe(RangeObjectiveOptions{}));
-  append(describe(MatchOptions{}));
   if (rule != Rule::kParticleSwarm) append(describe(BatOptions{}));
   if (rule == Rule::kLeaders) append(describe(LeaderOptions{}));
   append(describe(ElsewhereOptions{}));

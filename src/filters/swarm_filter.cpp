@@ -22,9 +22,9 @@ constexpr std::size_t kCandidates = 5;
 constexpr float kNarrow = 0.25F;    // m
 constexpr double kCovered = 0.7;    // share of beams
 constexpr int kScansPerSpread = 3;  // while nothing is found elsewhere
-constexpr double kHopeless = 0.6;   // share of the worst cost that tells nothing
-constexpr double kUnsure = 9.0;     // a place found anew is so much less sure than its bats agree
-constexpr double kMapXy = 0.01, kMapTheta = 0.003;    // m, rad: what the map itself may be off
+constexpr int kScansPerLaterSpread = 10;
+constexpr double kHopeless = 0.6;  // share of the worst cost that tells nothing
+constexpr double kUnsure = 9.0;    // a place found anew is so much less sure than its bats agree
 constexpr double kStrange[] = {10.83, 13.82, 16.27};  // chi^2 of 1 to 3 directions, 0.1 %
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
@@ -47,10 +47,7 @@ PoseKalman beliefOf(const Mode& mode) {
 /// What a fix says of a pose near it: the match in the directions of which it tells, else the bats
 /// as one.
 PoseObservation observationOf(const Pose2& T_map_base, const SwarmFix& fix) {
-  if (fix.match) {
-    const double xy = kMapXy * kMapXy, theta = kMapTheta * kMapTheta;
-    return observationOf(T_map_base, *fix.match, Eigen::Vector3d(xy, xy, theta).asDiagonal());
-  }
+  if (fix.match) return observationOf(T_map_base, *fix.match);
   const Pose2& z = fix.estimate.T_map_base;
   return {Eigen::Vector3d(z.x - T_map_base.x, z.y - T_map_base.y,
                           wrapAngle(z.theta - T_map_base.theta)),
@@ -151,11 +148,11 @@ bool SwarmFilter::explains(double cost) const {
 }
 
 /// Bats near where odometry says the robot is, or in the places that they are in.
-void SwarmFilter::spreadHere() {
+SwarmFix SwarmFilter::lookHere(const Observations& observations) {
   if (!is_undecided_) {
-    const Gaussian2 near{estimate_.T_map_base, cloudCovariance(kCloudXy, kCloudTheta)};
-    bats_ = drawCloud(near, options_.swarm_size, rng_);
-    return;
+    const Gaussian2 odometry{estimate_.T_map_base, cloudCovariance(kCloudXy, kCloudTheta)};
+    bats_ = drawCloud(odometry, options_.swarm_size, rng_);
+    return parts_.fixer->fixNear(odometry, bats_, *parts_.move, observations, rng_);
   }
   const Eigen::ArrayXd weights = normalisedWeights(bats_.log_weight);
   bats_ = select(bats_, systematicIndices(weights, options_.swarm_size, rng_));
@@ -163,12 +160,11 @@ void SwarmFilter::spreadHere() {
     const double x = rng_.normal(0.0, kCloudXy), y = rng_.normal(0.0, kCloudXy);
     bats_.setPose(i, bats_.pose(i) * Pose2{x, y, rng_.normal(0.0, kCloudTheta)});
   }
+  return parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
 }
 
 void SwarmFilter::fixHere(const Observations& observations) {
-  spreadHere();
-  const auto reach = is_undecided_ ? SwarmReach::kWholeMap : SwarmReach::kNear;
-  const SwarmFix fix = parts_.fixer->fix(bats_, reach, *parts_.move, observations, rng_);
+  const SwarmFix fix = lookHere(observations);
   if (explains(fix.cost)) {
     usual_.observe(fix.cost);
     unexplained_ = 0;
@@ -184,8 +180,7 @@ void SwarmFilter::fixHere(const Observations& observations) {
 void SwarmFilter::fixAnywhere(const Observations& observations) {
   parts_.elsewhere->condition(observations);
   drawElsewhere(0.0);
-  const SwarmFix fix =
-      parts_.fixer->fix(bats_, SwarmReach::kWholeMap, *parts_.move, observations, rng_);
+  const SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
   take(fix, false);
   anywhere_ = fix.cost > options_.swarm_explained;
 }
@@ -196,11 +191,10 @@ void SwarmFilter::lookElsewhere(const Observations& observations, const SwarmFix
   const int since = unexplained_ - options_.swarm_confirm_scans;
   if (is_candidate_right) return;
   candidates_.clear();
-  if (since % kScansPerSpread == 0) {
+  if (since % (since < kScansPerLaterSpread ? kScansPerSpread : kScansPerLaterSpread) == 0) {
     parts_.elsewhere->condition(observations);
     drawElsewhere(kShareHere);
-    const SwarmFix fix =
-        parts_.fixer->fix(bats_, SwarmReach::kWholeMap, *parts_.move, observations, rng_);
+    const SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
     if (options_.swarm_ratio == 0.0) return take(fix, false);
     candidates_ = fix.estimate.modes;
     candidates_.resize(std::min(candidates_.size(), kCandidates));

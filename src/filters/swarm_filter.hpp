@@ -17,10 +17,10 @@ namespace adaptive_localization {
 struct SwarmFilterOptions {
   int swarm_size{400};
   double swarm_fix_deviation{0.0};
-  double swarm_explained{0.15};
+  double swarm_explained{0.16};
   double swarm_unusual{2.0};
   int swarm_confirm_scans{2};
-  double swarm_ratio{2.0};
+  double swarm_ratio{2.5};
   bool swarm_fuse{true};
 
   template <class Visitor>
@@ -77,7 +77,7 @@ class SwarmFilter : public Filter {
   void ride(const Pose2& motion);
   bool isFixDue(const Observations& observations) const;
   bool explains(double cost) const;
-  void spreadHere();
+  SwarmFix lookHere(const Observations& observations);
   void fixHere(const Observations& observations);
   void fixAnywhere(const Observations& observations);
   void lookElsewhere(const Observations& observations, const SwarmFix& here);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "swarm_fix.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +16,10 @@ constexpr double kCastPrice = 30.0;     // look-ups that a ray is worth
 constexpr double kTemperature = 0.004;  // m, 1: a place so much worse is e times less likely
 constexpr double kAstray =
     1.5;  // a match whose cost is so many times larger, and more, went astray
-constexpr double kAstrayMore = 0.03;  // m, 1
-constexpr int kNearIterations = 12;   // a narrow cloud needs no more
+constexpr double kOdometryScale = 0.005;  // m: what half a d^2 is worth
+constexpr double kHitTruncation = 0.3;    // m
+constexpr double kAstrayMore = 0.03;      // m, 1
+constexpr int kNearIterations = 12;       // a narrow cloud needs no more
 constexpr int kNearPatience = 2;
 constexpr double kFloorXy = 0.04;     // m: what a swarm is off by at the least
 constexpr double kFloorTheta = 0.02;  // rad
@@ -73,17 +76,46 @@ void stepBackToBest(Swarm& swarm) {
   }
 }
 
+/// Distances of hits, and how far odometry is from there:
+///
+///     F + s d^2 / 2,   d^2 = (x - odometry)^T P^-1 (x - odometry)
+class NearObjective : public Objective {
+ public:
+  NearObjective(FieldObjective field, const Gaussian2& odometry)
+      : field_(std::move(field)),
+        mean_(odometry.mean.x, odometry.mean.y, odometry.mean.theta),
+        information_(odometry.covariance.inverse()) {
+    if (!information_.allFinite()) information_.setZero();
+  }
+
+  void evaluate(const Eigen::ArrayXXd& positions, Eigen::Ref<Eigen::ArrayXd> costs) const override {
+    field_.evaluate(positions, costs);
+    for (Eigen::Index i = 0; i < positions.rows(); ++i) {
+      Eigen::Vector3d off = positions.row(i).matrix().transpose() - mean_;
+      off.z() = wrapAngle(off.z());
+      costs[i] += 0.5 * kOdometryScale * off.dot(information_ * off);
+    }
+  }
+
+ private:
+  FieldObjective field_;
+  Eigen::Vector3d mean_;
+  Eigen::Matrix3d information_;
+};
+
 }  // namespace
 
 SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
                        const std::optional<LeaderOptions>& leaders, double max_range,
-                       std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places,
-                       std::unique_ptr<ScanMatcher> matcher)
+                       std::shared_ptr<const OccupancyGrid> map,
+                       std::shared_ptr<const DistanceField> distance_field,
+                       std::shared_ptr<Places> places, std::unique_ptr<ScanMatcher> matcher)
     : options_(options),
       objective_(objective),
       leaders_(leaders),
       max_range_(max_range),
       map_(std::move(map)),
+      distance_field_(std::move(distance_field)),
       places_(std::move(places)),
       matcher_(std::move(matcher)) {
   const Lattice& lattice = map_->lattice();
@@ -122,7 +154,7 @@ double SwarmFixer::worst() const {
 }
 
 /// The table is there once somebody needs it and, where it is made in the background, it is done.
-std::unique_ptr<RangeObjective> SwarmFixer::objectiveFor(const Observations& observations) {
+std::unique_ptr<RangeObjective> SwarmFixer::rangesOf(const Observations& observations) {
   const Scan& scan = observations.scan;
   if (options_.swarm_ranges == "table" && scan.hits() > 0) {
     const auto grid = places_->energyGrid(scan);
@@ -150,40 +182,59 @@ SearchSpace SwarmFixer::spaceAround(const Eigen::ArrayXXd& positions) const {
   return space;
 }
 
-/// Near by, a match does the rest.
-StopRule SwarmFixer::stopRule(SwarmReach reach, bool is_cast) const {
+StopRule SwarmFixer::stopRule(const Objective& objective) const {
+  const bool is_cast = dynamic_cast<const CastObjective*>(&objective) != nullptr;
   StopRule rule;
   rule.tolerance = options_.swarm_tolerance;
   rule.max_iterations = options_.swarm_max_iterations;
   rule.patience = options_.swarm_patience;
-  if (matcher_ && reach == SwarmReach::kNear) {
-    rule.max_iterations = std::min(rule.max_iterations, kNearIterations);
-    rule.patience = kNearPatience;
-  }
   rule.max_evaluations =
       1e6 * options_.swarm_budget / (objective_.swarm_beams * (is_cast ? kCastPrice : 1.0));
   return rule;
 }
 
-SwarmFix SwarmFixer::fix(const Particles& start, SwarmReach reach, const SwarmMove& move,
+SwarmFix SwarmFixer::fix(const Particles& start, const SwarmMove& move,
                          const Observations& observations, Rng& rng) {
-  const auto objective = objectiveFor(observations);
-  const bool is_cast = dynamic_cast<const CastObjective*>(objective.get()) != nullptr;
+  const auto objective = rangesOf(observations);
+  SwarmFix fix = searchIn(whole_, start, move, *objective, stopRule(*objective), rng);
+  match(observations, fix);
+  return fix;
+}
+
+SwarmFix SwarmFixer::fixNear(const Gaussian2& odometry, const Particles& start,
+                             const SwarmMove& move, const Observations& observations, Rng& rng) {
+  std::unique_ptr<Objective> objective;
+  if (options_.swarm_near == "hits") {
+    FieldObjective field(observations.scan, objective_.swarm_beams, kHitTruncation,
+                         distance_field_);
+    objective = std::make_unique<NearObjective>(std::move(field), odometry);
+  } else {
+    objective = rangesOf(observations);
+  }
+  StopRule rule = stopRule(*objective);
+  if (matcher_) {  // does the rest
+    rule.max_iterations = std::min(rule.max_iterations, kNearIterations);
+    rule.patience = kNearPatience;
+  }
+  const SearchSpace space = options_.wrap_map ? whole_ : spaceAround(columnsOf(start));
+  SwarmFix fix = searchIn(space, start, move, *objective, rule, rng);
+  match(observations, fix);
+  return fix;
+}
+
+SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Particles& start,
+                              const SwarmMove& move, const Objective& objective,
+                              const StopRule& rule, Rng& rng) const {
   Particles placed = start;
   for (Eigen::Index i = 0; i < placed.size(); ++i) placed.setPose(i, inMap(placed.pose(i)));
-  const Eigen::ArrayXXd positions = columnsOf(placed);
-  const bool is_whole = reach == SwarmReach::kWholeMap || options_.wrap_map;
-  Swarm swarm(is_whole ? whole_ : spaceAround(positions), positions, *objective);
-  const SearchResult result = search(swarm, move, *objective, stopRule(reach, is_cast), rng);
-  stepBackToBest(swarm);
-
+  Swarm swarm(space, columnsOf(placed), objective);
   SwarmFix fix;
+  fix.iterations = search(swarm, move, objective, rule, rng).iterations;
+  stepBackToBest(swarm);
   fix.bats = particlesOf(swarm);
   fix.estimate = estimateOf(fix.bats);
   fix.cost = swarm.best_cost;
-  fix.iterations = result.iterations;
   if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
-  if (!objective->isEmpty()) match(observations, fix);
   return fix;
 }
 

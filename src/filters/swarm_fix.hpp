@@ -8,6 +8,7 @@
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/ser/places.hpp"
+#include "adaptive_localization/swarm/field_objective.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 
@@ -15,6 +16,7 @@ namespace adaptive_localization {
 
 struct SwarmFixOptions {
   std::string swarm_ranges{"table"};
+  std::string swarm_near{"hits"};
   bool swarm_match{true};
   double swarm_tolerance{0.0};
   int swarm_max_iterations{60};
@@ -28,6 +30,9 @@ struct SwarmFixOptions {
         "swarm_ranges", swarm_ranges, Choices{"table", "cast"},
         "Where expected ranges come from: the energy grid's table, once it is made, or exact ray "
         "casting.");
+    option("swarm_near", swarm_near, Choices{"hits", "ranges"},
+           "What the swarm makes small near where odometry says the robot is: the mean distance of "
+           "hits from the map's walls, or what it makes small everywhere.");
     option("swarm_match", swarm_match,
            "Align the scan with the map from the best place on; otherwise the swarm's spread tells "
            "how sure a place is.");
@@ -57,21 +62,24 @@ struct SwarmFix {
   const Pose2& place() const { return match ? match->T_map_base : estimate.T_map_base; }
 };
 
-/// Where a swarm looks: near where it starts, or all over the map.
-enum class SwarmReach { kNear, kWholeMap };
-
 /// Lets a swarm loose on a scan.
 class SwarmFixer {
  public:
   /// Without a matcher, places are as good as the swarm finds them.
   SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
              const std::optional<LeaderOptions>& leaders, double max_range,
-             std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<Places> places,
+             std::shared_ptr<const OccupancyGrid> map,
+             std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places,
              std::unique_ptr<ScanMatcher> matcher);
 
-  /// The best poses for a scan, from these on.
-  SwarmFix fix(const Particles& start, SwarmReach reach, const SwarmMove& move,
-               const Observations& observations, Rng& rng);
+  /// The best poses for a scan all over the map, from these on.
+  SwarmFix fix(const Particles& start, const SwarmMove& move, const Observations& observations,
+               Rng& rng);
+
+  /// The best poses for a scan where odometry says the robot is: far off, a place has to fit
+  /// better.
+  SwarmFix fixNear(const Gaussian2& odometry, const Particles& start, const SwarmMove& move,
+                   const Observations& observations, Rng& rng);
 
   /// The best pose for a scan next to this one, and its cost; without any swarm.
   SwarmFix fixAt(const Mode& place, const Observations& observations) const;
@@ -86,9 +94,11 @@ class SwarmFixer {
   double worst() const;
 
  private:
-  std::unique_ptr<RangeObjective> objectiveFor(const Observations& observations);
+  std::unique_ptr<RangeObjective> rangesOf(const Observations& observations);
   SearchSpace spaceAround(const Eigen::ArrayXXd& positions) const;
-  StopRule stopRule(SwarmReach reach, bool is_cast) const;
+  SwarmFix searchIn(const SearchSpace& space, const Particles& start, const SwarmMove& move,
+                    const Objective& objective, const StopRule& rule, Rng& rng) const;
+  StopRule stopRule(const Objective& objective) const;
   void match(const Observations& observations, SwarmFix& fix) const;
 
   SwarmFixOptions options_;
@@ -96,6 +106,7 @@ class SwarmFixer {
   std::optional<LeaderOptions> leaders_;  // of swarms that have such
   double max_range_;
   std::shared_ptr<const OccupancyGrid> map_;
+  std::shared_ptr<const DistanceField> distance_field_;
   std::shared_ptr<Places> places_;
   std::unique_ptr<ScanMatcher> matcher_;  // may be null
   std::shared_ptr<const EnergyGrid> grid_;

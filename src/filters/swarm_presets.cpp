@@ -13,6 +13,7 @@ Preset sourceOfSwarms() {
           {"swarm_max_iterations", 500},
           {"swarm_patience", 0},
           {"swarm_match", false},
+          {"swarm_near", std::string("ranges")},
           {"swarm_fix_deviation", 0.3},
           {"swarm_explained", 0.06},
           {"swarm_unusual", 0.0},

@@ -18,7 +18,7 @@ namespace adaptive_localization {
 struct RangeObjectiveOptions {
   int swarm_beams{60};
   std::string swarm_error{"truncated"};
-  double swarm_truncation{0.5};
+  double swarm_truncation{0.25};
 
   template <class Visitor>
   void visit(Visitor&& option) {
