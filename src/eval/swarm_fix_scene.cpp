@@ -16,7 +16,8 @@ constexpr double kRadius = 0.2;                     // m, of the robot
 }  // namespace
 
 SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution)
-    : world_(makeWorld(loadFloorPlan(world_file), false)),
+    : world_file_(world_file),
+      world_(makeWorld(loadFloorPlan(world_file), false)),
       free_space_(world_, kRadius),
       map_(std::make_shared<const OccupancyGrid>(rasterize(loadFloorPlan(world_file), resolution))),
       distance_field_(std::make_shared<const DistanceField>(*map_)) {
@@ -27,6 +28,9 @@ SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution)
   Rng rng(1);
   const auto grid = places_->energyGrid(observe(place(rng), rng).scan);
   rows_ = std::make_shared<const RangeRows>(grid->sharedRanges());
+  MatchOptions matching;
+  matching.line_map = world_file;
+  matcher_ = std::make_unique<const ScanMatcher>(makeScanMatcher(matching, *map_));
 }
 
 Pose2 SwarmFixScene::place(Rng& rng) const {
@@ -77,6 +81,11 @@ TableObjective SwarmFixScene::objective(const Scan& scan) const {
   return TableObjective(options, scan, rows_);
 }
 
+Pose2 SwarmFixScene::matched(const Pose2& guess, const Scan& scan) const {
+  const Match match = matcher_->match(guess, scan);
+  return match.isGood() ? match.T_map_base : guess;
+}
+
 SearchSpace SwarmFixScene::space(bool is_torus) const {
   SearchSpace space;
   const Lattice& lattice = map_->lattice();
@@ -100,6 +109,8 @@ FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles
   for (const auto& [key, value] : registry.find(filter).recommended) {
     context.parameters.set(key, value);
   }
+  context.parameters.set("line_map", OptionValue(world_file_));
+  context.parameters.set("swarm_size", OptionValue(particles));
   context.parameters.set("max_particles", OptionValue(particles));
   context.parameters.set("min_particles", OptionValue(std::min(particles, 100)));
   return context;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/ser/places.hpp"
 #include "adaptive_localization/sim/free_space.hpp"
@@ -32,19 +33,24 @@ class SwarmFixScene {
   /// How badly poses fit 11 beams: the mean relative deviation, by the range table.
   TableObjective objective(const Scan& scan) const;
 
+  /// The scan matched with the plan's walls, from a pose on; that pose where it cannot be.
+  Pose2 matched(const Pose2& guess, const Scan& scan) const;
+
   /// The map's ends, and all headings.
   SearchSpace space(bool is_torus) const;
 
-  /// For the filter of this name with so many particles and 11 beams.
+  /// For the filter of this name with so many particles or searchers.
   FilterContext contextFor(const std::string& filter, int particles, std::uint64_t seed) const;
 
  private:
+  std::string world_file_;
   std::shared_ptr<const World> world_;
   FreeSpace free_space_;
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<const DistanceField> distance_field_;
   std::shared_ptr<Places> places_;
   std::shared_ptr<const RangeRows> rows_;
+  std::unique_ptr<const ScanMatcher> matcher_;
 };
 
 }  // namespace adaptive_localization

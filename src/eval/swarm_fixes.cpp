@@ -92,9 +92,12 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
         std::abs(wrapAngle(outcome.found.theta - sight.truth.theta)) < kRightTurn) {
       ++cell.found;
       cell.error_mm += 1000.0 * error;
+      cell.matched_mm +=
+          1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth);
     }
   }
   cell.error_mm /= std::max(1, cell.found);
+  cell.matched_mm /= std::max(1, cell.found);
   cell.ms_median = quantile(times, 0.5);
   return cell;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 
-#include "adaptive_localization/eval/sign_test.hpp"
+#include "adaptive_localization/eval/paired_test.hpp"
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 
 namespace adaptive_localization {
@@ -9,10 +9,10 @@ namespace {
 
 std::string rowOf(const SwarmFixCell& cell) {
   char row[200];
-  std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f | %.1f | %.2f |\n",
+  std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f | %.1f | %.1f | %.2f |\n",
                 cell.start.c_str(), cell.core.c_str(), cell.searchers,
                 100.0 * cell.found / cell.runs, 100.0 * cell.reached / cell.runs,
-                cell.meanIterations(), cell.error_mm, cell.ms_median);
+                cell.meanIterations(), cell.error_mm, cell.matched_mm, cell.ms_median);
   return row;
 }
 
@@ -24,15 +24,18 @@ std::string comparison(const std::vector<SwarmFixCell>& cells) {
       if (leaders.core != "lbba improved" || bats.core != "ba, right sign") continue;
       if (leaders.start != bats.start || leaders.searchers != bats.searchers) continue;
       char row[200];
-      std::snprintf(row, sizeof row, "| %s | %d | %.1f | %.1f | %.2g |\n", leaders.start.c_str(),
-                    leaders.searchers, leaders.meanIterations(), bats.meanIterations(),
+      std::snprintf(row, sizeof row, "| %s | %d | %.1f | %.1f | %.2g | %.2g |\n",
+                    leaders.start.c_str(), leaders.searchers, leaders.meanIterations(),
+                    bats.meanIterations(),
+                    signedRankTestOfLess(leaders.iterations, bats.iterations),
                     signTestOfLess(leaders.iterations, bats.iterations));
       text += row;
     }
   }
   if (text.empty()) return text;
-  return "\n| start | searchers | iterations of lbba improved | of ba, right sign | p |\n"
-         "|---|---|---|---|---|\n" +
+  return "\n| start | searchers | iterations of lbba improved | of ba, right sign | p, signed "
+         "ranks "
+         "| p, signs |\n|---|---|---|---|---|---|\n" +
          text;
 }
 
@@ -40,9 +43,9 @@ std::string comparison(const std::vector<SwarmFixCell>& cells) {
 
 std::string toTable(const std::vector<SwarmFixCell>& cells) {
   std::string table =
-      "| start | core | searchers | found, % | reached 3 %, % | iterations | error, mm | ms per "
-      "fix "
-      "|\n|---|---|---|---|---|---|---|---|\n";
+      "| start | core | searchers | found, % | reached 3 %, % | iterations | error, mm | matched, "
+      "mm "
+      "| ms per fix |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const SwarmFixCell& cell : cells) table += rowOf(cell);
   return table + comparison(cells);
 }

@@ -14,7 +14,7 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
   plan.runs = 6;
   plan.searchers = {20, 2000};
   plan.starts = {"free", "places"};
-  plan.filters = {"amcl"};
+  plan.filters = {"amcl", "lbba"};
   std::map<std::string, SwarmFixCell> cells;
   for (const auto& cell : raceFixes(plan)) {
     ASSERT_EQ(cell.iterations.size(), 6u);
@@ -22,22 +22,24 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
     EXPECT_LT(cell.error_mm, 150.0);
     cells[cell.start + "/" + cell.core + "/" + std::to_string(cell.searchers)] = cell;
   }
-  EXPECT_EQ(cells.size(), 22u);
+  EXPECT_EQ(cells.size(), 24u);
   const SwarmFixCell& many = cells["free/lbba improved/2000"];
   EXPECT_GE(many.found, cells["free/lbba improved/20"].found);
   EXPECT_GE(many.found, 5);
   EXPECT_LT(many.meanIterations(), cells["free/ba, right sign/2000"].meanIterations());
   EXPECT_EQ(cells["places/lbba improved/2000"].found, 6);
+  EXPECT_LT(cells["places/lbba improved/2000"].matched_mm, 15.0);
   EXPECT_GE(cells["its own/amcl/2000"].found, 3);
+  EXPECT_EQ(cells["its own/lbba/2000"].found, 6);
 }
 
 TEST(SwarmFixes, AreToldInATable) {
   const std::string table =
-      toTable({{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 1.234},
-               {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 2.0}});
-  EXPECT_THAT(table,
-              testing::HasSubstr("| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 1.23 |"));
-  EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.062 |"));
+      toTable({{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 4.56, 1.234},
+               {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 5.0, 2.0}});
+  EXPECT_THAT(table, testing::HasSubstr(
+                         "| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 4.6 | 1.23 |"));
+  EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.05 | 0.062 |"));
 }
 
 TEST(SwarmFixes, NameTheWorldOrStartThatIsNotThere) {
