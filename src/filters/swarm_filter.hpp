@@ -82,6 +82,7 @@ class SwarmFilter : public Filter {
   void fixAnywhere(const Observations& observations);
   void lookElsewhere(const Observations& observations, const SwarmFix& here);
   bool goesTo(const std::vector<Mode>& places, const Observations& observations, double cost_here);
+  void takeIfPlausible(const SwarmFix& fix, const Observations& observations);
   bool isStrange(const SwarmFix& fix, const Observations& observations);
   void take(const SwarmFix& fix, bool is_fused);
 

@@ -6,102 +6,19 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/particle/summary.hpp"
-#include "adaptive_localization/swarm/leaders.hpp"
+#include "near_objective.hpp"
+#include "swarm_bats.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr double kCastPrice = 30.0;     // look-ups that a ray is worth
-constexpr double kTemperature = 0.004;  // m, 1: a place so much worse is e times less likely
+constexpr double kCastPrice = 30.0;  // look-ups that a ray is worth
 constexpr double kAstray =
     1.5;  // a match whose cost is so many times larger, and more, went astray
-constexpr double kOdometryScale = 0.005;  // m: what half a d^2 is worth
-constexpr double kHitTruncation = 0.3;    // m
-constexpr double kAstrayMore = 0.03;      // m, 1
-constexpr int kNearIterations = 12;       // a narrow cloud needs no more
+constexpr double kHitTruncation = 0.3;  // m
+constexpr double kAstrayMore = 0.03;    // m, 1
+constexpr int kNearIterations = 12;     // a narrow cloud needs no more
 constexpr int kNearPatience = 2;
-constexpr double kFloorXy = 0.04;     // m: what a swarm is off by at the least
-constexpr double kFloorTheta = 0.02;  // rad
-
-Eigen::ArrayXXd columnsOf(const Particles& particles) {
-  Eigen::ArrayXXd columns(particles.size(), 3);
-  columns << particles.x, particles.y, particles.theta;
-  return columns;
-}
-
-/// Each bat where it is and as likely as its cost says.
-Particles particlesOf(const Swarm& swarm) {
-  Particles bats(swarm.size());
-  for (Eigen::Index i = 0; i < swarm.size(); ++i) {
-    bats.setPose(i, {swarm.position(i, 0), swarm.position(i, 1), wrapAngle(swarm.position(i, 2))});
-  }
-  bats.log_weight = -(swarm.cost - swarm.cost.minCoeff()) / kTemperature;
-  return bats;
-}
-
-Eigen::ArrayXd weightsOf(const Particles& bats) {
-  const Eigen::ArrayXd weights = (bats.log_weight - bats.log_weight.maxCoeff()).exp();
-  return weights / weights.sum();
-}
-
-Eigen::Matrix3d floorCovariance() {
-  return Eigen::Vector3d(kFloorXy * kFloorXy, kFloorXy * kFloorXy, kFloorTheta * kFloorTheta)
-      .asDiagonal();
-}
-
-Estimate estimateOf(const Particles& bats) {
-  Estimate estimate = summarize(bats, weightsOf(bats));
-  for (Mode& mode : estimate.modes) mode.covariance += floorCovariance();
-  estimate.covariance += floorCovariance();
-  return estimate;
-}
-
-Particles leadersOf(const Swarm& swarm, const Particles& bats, const LeaderOptions& options) {
-  const auto leading =
-      bestBats(swarm, numberOfLeaders(swarm.size(), options.leaders_per_bats, options.min_leaders));
-  Particles leaders(static_cast<Eigen::Index>(leading.size()));
-  for (std::size_t j = 0; j < leading.size(); ++j) {
-    leaders.setPose(static_cast<Eigen::Index>(j), bats.pose(leading[j]));
-  }
-  return leaders;
-}
-
-/// Moves that remember the best place of each searcher stand on these now.
-void stepBackToBest(Swarm& swarm) {
-  for (Eigen::Index i = 0; i < swarm.size(); ++i) {
-    if (!(swarm.own_best_cost[i] < swarm.cost[i])) continue;
-    swarm.position.row(i) = swarm.own_best.row(i);
-    swarm.cost[i] = swarm.own_best_cost[i];
-  }
-}
-
-/// Distances of hits, and how far odometry is from there:
-///
-///     F + s d^2 / 2,   d^2 = (x - odometry)^T P^-1 (x - odometry)
-class NearObjective : public Objective {
- public:
-  NearObjective(FieldObjective field, const Gaussian2& odometry)
-      : field_(std::move(field)),
-        mean_(odometry.mean.x, odometry.mean.y, odometry.mean.theta),
-        information_(odometry.covariance.inverse()) {
-    if (!information_.allFinite()) information_.setZero();
-  }
-
-  void evaluate(const Eigen::ArrayXXd& positions, Eigen::Ref<Eigen::ArrayXd> costs) const override {
-    field_.evaluate(positions, costs);
-    for (Eigen::Index i = 0; i < positions.rows(); ++i) {
-      Eigen::Vector3d off = positions.row(i).matrix().transpose() - mean_;
-      off.z() = wrapAngle(off.z());
-      costs[i] += 0.5 * kOdometryScale * off.dot(information_ * off);
-    }
-  }
-
- private:
-  FieldObjective field_;
-  Eigen::Vector3d mean_;
-  Eigen::Matrix3d information_;
-};
 
 }  // namespace
 

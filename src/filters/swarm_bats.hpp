@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/swarm/swarm_move.hpp"
+
+namespace adaptive_localization {
+
+/// Poses in the rows of x, y, heading.
+Eigen::ArrayXXd columnsOf(const Particles& particles);
+
+/// Each bat where it is and as likely as its cost says.
+Particles particlesOf(const Swarm& swarm);
+
+/// The places where the bats are, no surer than a swarm can tell.
+Estimate estimateOf(const Particles& bats);
+
+/// Those that lead the swarm.
+Particles leadersOf(const Swarm& swarm, const Particles& bats, const LeaderOptions& options);
+
+/// Moves that remember the best place of each searcher stand on these now.
+void stepBackToBest(Swarm& swarm);
+
+}  // namespace adaptive_localization
