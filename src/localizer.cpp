@@ -8,6 +8,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr int kChecks = 4;  // of what somebody told
+
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
          particles.theta.allFinite();
@@ -86,6 +88,8 @@ void Localizer::reset(const Prior& prior) {
   confidence_->reset();
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
+  checks_left_ = std::holds_alternative<Gaussian2>(prior) ? kChecks : 0;
+  way_to_check_ = 0.0;
   if (from_anywhere_) {
     rivals_->open();
   } else {
@@ -156,6 +160,7 @@ void Localizer::updateFilter(const Pose2& motion, const Observations& observatio
   refine(observations);
   confidence_->observe(last_.estimate, observations);
   rivals_->observe(motion, last_.estimate.T_map_base, observations);
+  checkWhatWasTold(motion, observations);
   if (rivals_->isSettled() && isDoubtful(T_map_base_expected)) {
     rivals_->open(T_map_base_expected);
     rivals_->observe({}, last_.estimate.T_map_base, observations);

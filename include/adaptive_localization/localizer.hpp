@@ -157,6 +157,7 @@ class Localizer {
   void relocalize();
   void refine(const Observations& observations);
   bool isDoubtful(const Pose2& T_map_base_expected) const;
+  void checkWhatWasTold(const Pose2& motion, const Observations& observations);
   Status judge() const;
 
   FilterRegistry registry_;
@@ -171,6 +172,8 @@ class Localizer {
 
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};
+  int checks_left_{0};      // of what somebody told, by scans
+  double way_to_check_{0};  // m or rad until the next
   bool update_requested_{false};
   std::uint64_t relocalizations_{0};
   std::optional<Pose2> T_odom_base_at_update_;

@@ -2,8 +2,8 @@
 #include "builtin_filters.hpp"
 
 #include "adaptive_localization/particle/kidnap_test.hpp"
-#include "adaptive_localization/ser/place_sampler.hpp"
-#include "ekf_icp.hpp"
+#include "elsewhere.hpp"
+#include "kalman_filters.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
 #include "swarm_filter.hpp"
@@ -12,35 +12,8 @@
 namespace adaptive_localization {
 namespace {
 
-struct ElsewhereOptions {
-  std::string elsewhere{"places"};
-
-  template <class Visitor>
-  void visit(Visitor&& option) {
-    option("elsewhere", elsewhere, Choices{"free", "ser", "places"},
-           "Where a robot that may be anywhere is looked for: in all free space, where scans have "
-           "the energy of the one just taken (SER), or at the places where it fits best.");
-  }
-};
-
 enum class Size { kFixed, kKld };
 enum class Looks { kNowhere, kAugmented, kKidnapTest };  // when particles are drawn elsewhere
-
-std::shared_ptr<Places> placesFor(const FilterContext& context) {
-  const auto grid = context.parameters.read<EnergyGridOptions>();
-  const auto search = context.parameters.read<GlobalSearchOptions>();
-  if (context.places) return context.places;
-  return std::make_shared<Places>(context.map, context.distance_field, grid, search);
-}
-
-std::unique_ptr<PoseSampler> makeSampler(const FilterContext& context,
-                                         const std::shared_ptr<Places>& places) {
-  const auto options = context.parameters.read<PlaceSamplerOptions>();
-  const std::string where = context.parameters.read<ElsewhereOptions>().elsewhere;
-  if (where == "ser") return std::make_unique<SerSampler>(places, context.map);
-  if (where == "free") return std::make_unique<FreeSpaceSampler>(context.map);
-  return std::make_unique<PlaceSampler>(options, places, context.map);
-}
 
 std::unique_ptr<Exploration> makeKidnapTest(const FilterContext& context,
                                             std::shared_ptr<Places> places) {
@@ -146,53 +119,33 @@ FilterDescription swarmFilter(const std::string& name, const std::string& senten
   return {name, sentence, make, std::move(all), std::move(recommended), std::move(seed)};
 }
 
-std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
-  const Parameters& given = context.parameters;
-  EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
-                 makeScanMatcher(given.read<MatchOptions>(), *context.map), placesFor(context),
-                 std::make_unique<FreeSpaceSampler>(context.map)};
-  return std::make_unique<EkfIcp>(given.read<EkfOptions>(), std::move(parts), context.seed);
-}
-
-FilterDescription ekfIcp() {
-  std::vector<OptionDescription> all;
-  for (const auto& rows :
-       {describe(MotionOptions{}), describe(EkfOptions{}), describe(MatchOptions{})}) {
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
-  return {"ekf_icp",
-          "Extended Kalman filter on odometry, corrected by matching scans with the map.",
-          makeEkfIcp,
-          std::move(all),
-          {{"relocalize", true}, {"update_min_d", 0.05}, {"update_min_a", 0.03}},
-          sourceOfEkfIcp()};
-}
-
 }  // namespace
 
 std::vector<FilterDescription> builtinFilters() {
   std::vector<FilterDescription> filters;
-  filters.push_back(particleFilter(
-      "mcl", "Monte Carlo localization with a fixed number of particles.", Size::kFixed,
-      Looks::kNowhere, {{"max_particles", 2000}}, Preset{{"max_particles", 5000}} + sourceOfAll()));
+  filters.push_back(
+      particleFilter("mcl", "Monte Carlo localization with a fixed number of particles.",
+                     Size::kFixed, Looks::kNowhere, {{"max_particles", 2000}, {"refine", true}},
+                     Preset{{"max_particles", 5000}} + sourceOfAll()));
   filters.push_back(particleFilter("kld", "MCL with as many particles as KLD-sampling asks for.",
-                                   Size::kKld, Looks::kNowhere, {}, sourceOfKld() + sourceOfAll()));
+                                   Size::kKld, Looks::kNowhere, {{"refine", true}},
+                                   sourceOfKld() + sourceOfAll()));
   filters.push_back(particleFilter("amcl",
                                    "KLD-sampling that looks elsewhere when likelihoods fall "
                                    "(augmented MCL).",
-                                   Size::kKld, Looks::kAugmented, {{"relocalize", true}},
-                                   stockAmcl()));
+                                   Size::kKld, Looks::kAugmented,
+                                   {{"relocalize", true}, {"refine", true}}, stockAmcl()));
   filters.push_back(particleFilter(
       "samcl",
       "Fixed number of particles; where none explains the scans, looks in the Similar Energy "
       "Region (self-adaptive MCL).",
       Size::kFixed, Looks::kKidnapTest,
-      {{"max_particles", 5000}, {"elsewhere", std::string("ser")}},
+      {{"max_particles", 5000}, {"elsewhere", std::string("ser")}, {"refine", true}},
       Preset{{"max_particles", 5000}} + sourceOfSamcl() + sourceOfAll()));
   filters.push_back(particleFilter(
       "sa_kld",
       "SAMCL with as many particles as KLD-sampling asks for, from the first scan on (SA-KLD).",
-      Size::kKld, Looks::kKidnapTest, {{"relocalize", true}},
+      Size::kKld, Looks::kKidnapTest, {{"relocalize", true}, {"refine", true}},
       Preset{{"kidnap_arm_particles", 1000}} + sourceOfSamcl() + sourceOfKld() + sourceOfAll()));
   const Preset relocalize{{"relocalize", true}};
   filters.push_back(swarmFilter("pso", "Particle swarm: looks for the pose that explains the scan.",

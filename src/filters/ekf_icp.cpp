@@ -52,8 +52,8 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
     if (candidate_) candidate_ = *candidate_ * motion;
   }
   const Eigen::Matrix3d prior = kalman_.covariance().inverse();
-  match_ = parts_.matcher.match(kalman_.mean(), observations.scan,
-                                prior.allFinite() ? prior : Eigen::Matrix3d::Zero());
+  match_ = parts_.match(kalman_.mean(), observations.scan,
+                        prior.allFinite() ? prior : Eigen::Matrix3d::Zero());
   const bool is_blind = match_->fault == MatchFault::kFewHits;
   if (!anywhere_ && correct(*match_)) {
     rejected_ = 0;
@@ -107,7 +107,7 @@ std::optional<Match> EkfIcp::matchElsewhere(const Observations& observations) {
   std::optional<Match> best;
   double least = 0.0;  // inlier ratio that counts
   const auto tryAt = [&](const Pose2& guess) {
-    const Match match = parts_.matcher.match(guess, observations.scan);
+    const Match match = parts_.match(guess, observations.scan, Eigen::Matrix3d::Zero());
     if (!match.isGood() || match.inlier_ratio <= least) return;
     best = match;
     least = match.inlier_ratio;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
@@ -15,12 +17,16 @@
 namespace adaptive_localization {
 
 struct EkfOptions {
+  std::string ekf_landmarks{"hits"};
   double ekf_gate{11.34};
   int ekf_rejected_scans{3};
   int ekf_cloud{200};
 
   template <class Visitor>
   void visit(Visitor&& option) {
+    option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
+           "What corrects the pose: hits matched with the map, or straight lines in the scan with "
+           "those of line_map.");
     option("ekf_gate", ekf_gate, kPositive, "",
            "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
            "11.34 holds for 99 of 100 right ones.");
@@ -31,9 +37,13 @@ struct EkfOptions {
   }
 };
 
+/// Aligns a scan with the map from a guess and the information over (x, y, theta) that it has.
+using MatchScan =
+    std::function<Match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior)>;
+
 struct EkfParts {
   std::unique_ptr<MotionModel> motion;
-  ScanMatcher matcher;
+  MatchScan match;
   std::shared_ptr<Places> places;
   std::unique_ptr<PoseSampler> anywhere;
 };

@@ -13,6 +13,7 @@ struct MatchPair {
   Eigen::Vector2d normal;  // of the surface
   Eigen::Vector2d target;  // the surface's point nearest to the hit
   double residual;         // m, normal . (hit - target)
+  double precision;        // of the residual, as a multiple of that at right angles to the wall
   double weight{1.0};
 
   /// Derivative of the residual by (x, y, theta).

@@ -6,112 +6,19 @@
 #include <cmath>
 
 #include "adaptive_localization/map/floor_plan.hpp"
-#include "outliers.hpp"
+#include "alignment.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr int kLeastHits = 10;          // of a scan that is matched
-constexpr double kLeastTelling = 2.0;   // hits that a direction needs
-constexpr double kTellingShare = 0.01;  // and as a share of all
-constexpr double kSmallStep = 1e-4;     // m: the end
-constexpr double kShrink = 0.7;         // of the reach, from one iteration to the next
-
-/// J^T W J and J^T W r, headings in metres at the end of a lever.
-struct NormalEquations {
-  Eigen::Matrix3d A{Eigen::Matrix3d::Zero()};
-  Eigen::Vector3d b{0.0, 0.0, 0.0};
-  double weight{0.0}, squares{0.0};
-
-  NormalEquations(const MatchPairs& pairs, double lever) {
-    for (const MatchPair& pair : pairs) {
-      Eigen::Vector3d row = pair.row();
-      row.z() /= lever;
-      A += pair.weight * row * row.transpose();
-      b += pair.weight * pair.residual * row;
-      weight += pair.weight;
-      squares += pair.weight * pair.residual * pair.residual;
-    }
-  }
-};
-
-/// The directions that hits tell of, as columns, and how many hits do.
-struct Directions {
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> columns{3, 0};
-  Match::Vector hits{0};
-
-  explicit Directions(const NormalEquations& normal) {
-    if (!normal.A.allFinite()) return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal.A);
-    const double least = std::max(kLeastTelling, kTellingShare * normal.weight);
-    const auto count = (solver.eigenvalues().array() >= least).count();
-    columns = solver.eigenvectors().rightCols(count);
-    hits = solver.eigenvalues().tail(count);
-  }
-};
+constexpr int kLeastHits = 10;       // of a scan that is matched
+constexpr double kSmallStep = 1e-4;  // m: the end
+constexpr double kShrink = 0.7;      // of the reach, from one iteration to the next
 
 /// Root mean square distance of the hits from base, at least a metre.
 double leverOf(const Scan& scan) {
   const double mean = static_cast<double>((scan.x.square() + scan.y.square()).mean());
   return std::isfinite(mean) ? std::max(1.0, std::sqrt(mean)) : 1.0;
-}
-
-/// What is known before, as hits would tell it: information times the variance of a hit.
-struct PriorHits {
-  Pose2 mean;
-  Eigen::Matrix3d A;
-
-  PriorHits(const Pose2& guess, const Eigen::Matrix3d& information, double hit_variance,
-            double lever)
-      : mean(guess) {
-    const Eigen::DiagonalMatrix<double, 3> scale(1.0, 1.0, 1.0 / lever);
-    A = hit_variance * (scale * information * scale);
-  }
-  bool isNone() const { return A.isZero(0.0); }
-};
-
-/// Gauss-Newton: with a prior in all directions, without one in those that hits tell of.
-Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever,
-                  const PriorHits& prior) {
-  const NormalEquations normal(pairs, lever);
-  Eigen::Vector3d step;
-  if (prior.isNone()) {
-    const Directions telling(normal);
-    const Match::Vector along =
-        (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
-    step = telling.columns * along;
-  } else {
-    const Eigen::Vector3d off(from.x - prior.mean.x, from.y - prior.mean.y,
-                              lever * wrapAngle(from.theta - prior.mean.theta));
-    step = (normal.A + prior.A).llt().solve(normal.b + prior.A * off);
-  }
-  if (!step.allFinite()) return from;
-  return {from.x - step.x(), from.y - step.y(), wrapAngle(from.theta - step.z() / lever)};
-}
-
-/// The motion that brings the hits to their points: centroids, and the angle of
-/// sum(p x q) and sum(p . q) about them (Horn 1987, in the plane).
-Pose2 stepToPoints(const Pose2& from, const MatchPairs& pairs) {
-  Eigen::Vector2d p_mean{0.0, 0.0}, q_mean{0.0, 0.0};
-  double weight = 0.0, cross = 0.0, dot = 0.0;
-  const Eigen::Vector2d base(from.x, from.y);
-  for (const MatchPair& pair : pairs) {
-    p_mean += pair.weight * pair.arm;
-    q_mean += pair.weight * (pair.target - base);
-    weight += pair.weight;
-  }
-  if (!(weight > 0.0)) return from;
-  p_mean /= weight;
-  q_mean /= weight;
-  for (const MatchPair& pair : pairs) {
-    const Eigen::Vector2d p = pair.arm - p_mean;
-    const Eigen::Vector2d q = pair.target - base - q_mean;
-    cross += pair.weight * (p.x() * q.y() - p.y() * q.x());
-    dot += pair.weight * p.dot(q);
-  }
-  const double turn = std::atan2(cross, dot);
-  const Eigen::Vector2d shift = base + q_mean - Pose2{0.0, 0.0, turn} * p_mean;
-  return {shift.x(), shift.y(), wrapAngle(from.theta + turn)};
 }
 
 double way(const Pose2& a, const Pose2& b, double lever) {
@@ -191,7 +98,7 @@ void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach
     const double x = scan.x[i];
     const double y = scan.y[i];
     const Eigen::Vector2d arm(c * x - s * y, s * x + c * y);
-    const Surface* surface = surfaces_->nearest(base + arm);
+    const Surface* surface = surfaces_->hitBy(sensor, base + arm);
     if (!surface) continue;
     const Eigen::Vector2d normal = surface->normal.cast<double>();
     const Eigen::Vector2d tangent(-normal.y(), normal.x());
@@ -200,15 +107,26 @@ void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach
     const double residual = normal.dot(off);
     const double along = tangent.dot(off);
     const double half = static_cast<double>(surface->half_length);
-    const bool is_behind = !surface->has_two_sides && normal.dot(sensor - middle) < 0.0;
-    if (!(std::abs(residual) < reach) || std::abs(along) > half + ends || is_behind) continue;
+    if (!(std::abs(residual) < reach) || std::abs(along) > half + ends) continue;
     const Eigen::Vector2d target = middle + std::max(-half, std::min(along, half)) * tangent;
-    pairs.push_back({i, arm, normal, target, residual});
+    pairs.push_back({i, arm, normal, target, residual, precisionOf(normal, base + arm - sensor)});
   }
 }
 
+/// A wall that a beam grazes is known better from it than one that it meets head-on.
+double ScanMatcher::precisionOf(const Eigen::Vector2d& normal, const Eigen::Vector2d& ray) const {
+  const double length = ray.squaredNorm();
+  const double across = normal.dot(ray);
+  const double square = length > 0.0 ? across * across / length : 1.0;  // cos^2 of incidence
+  const double range = options_.match_range_std * options_.match_range_std;
+  const double surface = options_.match_surface_std * options_.match_surface_std;
+  return (range + surface) / (range * square + surface);
+}
+
 double ScanMatcher::hitVariance() const {
-  return options_.match_range_std * options_.match_range_std / options_.match_information;
+  const double range = options_.match_range_std * options_.match_range_std;
+  const double surface = options_.match_surface_std * options_.match_surface_std;
+  return (range + surface) / options_.match_information;
 }
 
 /// Outliers are the fewer the nearer the pose is: the kernel narrows with the reach.

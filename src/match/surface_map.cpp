@@ -15,6 +15,7 @@ constexpr double kSpread = 1.5;     // cells, of the weights
 constexpr int kLeastCells = 3;      // that make a line
 constexpr double kRoughness = 0.4;  // variance across a line against that along it
 constexpr float kHalfCells = 1.0F;  // half the length of a piece of wall
+constexpr double kThinWall = 0.1;   // m
 constexpr double kBeyond = 2.0;     // m that labels reach beyond all surfaces
 
 /// Occupied, and free ground touches it: what a laser sees of a wall that is several cells thick.
@@ -148,6 +149,14 @@ SurfaceMap::SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segme
   std::stable_sort(seeds.begin(), seeds.end(),
                    [&](const Seed& a, const Seed& b) { return way(a) > way(b); });
   spread(seeds);
+}
+
+const Surface* SurfaceMap::hitBy(const Eigen::Vector2d& start, const Eigen::Vector2d& hit) const {
+  const Surface* surface = nearest(hit);
+  if (!surface || surface->faces(start)) return surface;
+  const Eigen::Vector2d back = start - hit;
+  surface = nearest(hit + back * std::min(1.0, kThinWall / back.norm()));
+  return surface && surface->faces(start) ? surface : nullptr;
 }
 
 /// Each cell takes the label of the seed nearest to it (OpenCV's 5 x 5 chamfer distance).

@@ -65,6 +65,18 @@ void Rivals::close() {
   modes_.clear();
 }
 
+std::optional<bool> Rivals::gainsays(const Pose2& T_map_base,
+                                     const Observations& observations) const {
+  if (observations.scan.hits() == 0 || isCovered(observations.scan)) return std::nullopt;
+  const std::vector<Place>& places = places_->search(observations);
+  if (places.empty()) return std::nullopt;
+  const PlaceRefiner refiner(map_, *field_, observations.scan, observations.scan.max_range,
+                             kTruncation);
+  Hypothesis here{T_map_base, 0.0, 0.0};
+  align(refiner, here);
+  return loss(here.error, places.front().error) > options_.rival_margin + kKnownBonus;
+}
+
 void Rivals::goOnFrom(const Rivals& other) {
   settled_ = other.settled_;
   searched_ = other.searched_;
@@ -103,7 +115,7 @@ void Rivals::observe(const Pose2& motion, const Pose2& T_map_base,
   conclude(T_map_base);
 }
 
-void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) {
+void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) const {
   const Place place = refiner.refine(hypothesis.T_map_base, kStiffness);
   if (areSamePlace(place.T_map_base, hypothesis.T_map_base)) {
     hypothesis.T_map_base = place.T_map_base;
@@ -152,16 +164,20 @@ void Rivals::search(const Observations& observations) {
   searched_ = true;
 }
 
+/// Of log likelihood, by a scan that a place explains with this error and the best one with least.
+double Rivals::loss(double error, double least) const {
+  const double excess =
+      error - (1.0 + options_.rival_tolerance_share) * least - options_.rival_tolerance;
+  return options_.rival_beams * std::max(0.0, excess) / options_.rival_scale;
+}
+
 void Rivals::weigh(double share) {
   double least = kTruncation;
   for (const auto& hypothesis : hypotheses_) least = std::min(least, hypothesis.error);
   least_error_ = least;
   explained_ = least < kExplained;
   for (auto& hypothesis : hypotheses_) {
-    const double excess = hypothesis.error - (1.0 + options_.rival_tolerance_share) * least -
-                          options_.rival_tolerance;
-    const double beams = (hypothesis.is_new ? 1.0 : share) * options_.rival_beams;
-    hypothesis.log_likelihood -= beams * std::max(0.0, excess) / options_.rival_scale;
+    hypothesis.log_likelihood -= (hypothesis.is_new ? 1.0 : share) * loss(hypothesis.error, least);
     hypothesis.is_new = false;
   }
 }

@@ -140,6 +140,7 @@ TEST(ScanMatcher, LeavesThePoseAlongACorridorAsItWasGuessed) {
 TEST(ScanMatcher, KnowsHowSureItIs) {
   MatchOptions options = with("line");
   options.match_range_std = 0.02;
+  options.match_surface_std = 0.002;
   options.match_kernel = 0.2;
   const ScanMatcher matcher(options, surfacesOf(roomLines()));
   double sum = 0.0;
@@ -157,7 +158,8 @@ TEST(ScanMatcher, KnowsHowSureItIs) {
 /// Gauss-Newton's rows against differences: the information of J is that of the distances.
 TEST(ScanMatcher, InformationIsThatOfTheDistances) {
   MatchOptions options = with("line", "none");
-  options.match_range_std = 0.05;
+  options.match_range_std = 1e-9;
+  options.match_surface_std = 0.05;
   const auto lines = roomLines();
   const ScanMatcher matcher(options, surfacesOf(lines));
   const Scan scan = scanAt(kTruth, lines);
@@ -171,8 +173,9 @@ TEST(ScanMatcher, InformationIsThatOfTheDistances) {
   const double h = 1e-5;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
     if (!match.fits[static_cast<std::size_t>(i)]) continue;
+    const Eigen::Vector2d sensor(match.T_map_base.x, match.T_map_base.y);
     const Surface& surface =
-        *surfaces->nearest(match.T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]));
+        *surfaces->hitBy(sensor, match.T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]));
     const auto slope = [&](const Pose2& up, const Pose2& down) {
       return (residual(surface, up, i) - residual(surface, down, i)) / (2 * h);
     };

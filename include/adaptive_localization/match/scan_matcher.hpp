@@ -24,7 +24,8 @@ struct MatchOptions {
   double match_reach_end{0.15};
   double match_kernel{0.1};
   double match_keep{0.0};
-  double match_range_std{0.03};
+  double match_range_std{0.01};
+  double match_surface_std{0.03};
   double match_information{0.05};
   double match_map_std{0.01};
   double match_map_turn_std{0.002};
@@ -51,7 +52,9 @@ struct MatchOptions {
     option("match_keep", match_keep, kProbability, "",
            "Share of the hits that is kept (trim); 0: found for each scan.");
     option("match_range_std", match_range_std, kPositive, "m",
-           "Standard deviation of a hit from the map's wall: noise of the laser and of the map.");
+           "Standard deviation of the laser's ranges.");
+    option("match_surface_std", match_surface_std, kPositive, "m",
+           "Standard deviation of a wall from where the map has it, hit by hit.");
     option("match_information", match_information, Range{1e-6, 1}, "",
            "What a hit is worth when a match says how sure it is; less than 1 as neighbouring hits "
            "share the map's errors.");
@@ -97,15 +100,16 @@ struct Match {
 /// Aligns scans with the map, from a pose near the right one (Besl and McKay 1992). With R, t of
 /// the pose, p_i a hit and (q_i, n_i) the surface nearest to it:
 ///
-///     line     min sum_i w_i (n_i . (R p_i + t - q_i))^2       Gauss-Newton (Censi 2008)
-///     point    min sum_i w_i |R p_i + t - q_i|^2               in closed form (Horn 1987)
+///     line     min sum_i w_i (n_i . (R p_i + t - q_i))^2 / v_i   Gauss-Newton (Censi 2008)
+///     point    min sum_i w_i |R p_i + t - q_i|^2                 in closed form (Horn 1987)
+///     v_i = (range_std cos i)^2 + surface_std^2                  i the beam's angle of incidence
 ///
 /// Pairs are found anew in each iteration. A hit behind a wall that has one side only, beyond the
 /// wall's ends or out of reach is paired with nothing. Information is J^T W J / sigma^2, J the rows
-/// (n, n . dR p), sigma^2 the larger of match_range_std^2 and the hits' variance; where the
-/// eigenvalues say that hardly a hit tells of a direction, the pose is left as it was guessed along
-/// it, and the information is 0. The information is that of point-to-line for either metric:
-/// that of point-to-point would ignore that pairs change (Bonnabel et al. 2016).
+/// (n, n . dR p), sigma^2 the larger of that of a beam at right angles and what the hits show;
+/// where the eigenvalues say that hardly a hit tells of a direction, the pose is left as it was
+/// guessed along it, and the information is 0. The information is that of point-to-line for either
+/// metric: that of point-to-point would ignore that pairs change (Bonnabel et al. 2016).
 ///
 /// Units m and rad, poses of base in map. Never throws, and never returns what is not finite, for
 /// whatever scan.
@@ -122,6 +126,7 @@ class ScanMatcher {
  private:
   void align(const Scan& scan, const Eigen::Matrix3d& prior, Match& match) const;
   double hitVariance() const;
+  double precisionOf(const Eigen::Vector2d& normal, const Eigen::Vector2d& ray) const;
   void pairAt(const Pose2& T_map_base, const Scan& scan, double reach, MatchPairs& pairs) const;
   void weigh(MatchPairs& pairs, int hits, double reach) const;
   void rate(const Scan& scan, Match& match) const;

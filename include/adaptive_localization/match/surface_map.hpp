@@ -16,6 +16,11 @@ struct Surface {
   Eigen::Vector2f normal;  // of length 1, to the free side
   float half_length;       // m to both sides of the point
   bool has_two_sides;      // free on both, a thin wall
+
+  /// Whether it can be seen from a point.
+  bool faces(const Eigen::Vector2d& point_map) const {
+    return has_two_sides || normal.dot(point_map.cast<float>() - point) > 0.0F;
+  }
 };
 
 /// The surface nearest to any point, by one look-up: a label per cell of the map.
@@ -42,6 +47,10 @@ class SurfaceMap {
     if (column < 0 || column >= width_ || row < 0 || row >= height_) return nullptr;
     return &surfaces_[labels_[static_cast<std::size_t>(row * width_ + column)]];
   }
+
+  /// The surface that a beam from `start` hit at a point: the nearest one or, where that is the far
+  /// side of a thin wall, one before it; null if neither faces the start.
+  const Surface* hitBy(const Eigen::Vector2d& start, const Eigen::Vector2d& hit) const;
 
   /// All of them.
   const std::vector<Surface>& surfaces() const { return surfaces_; }

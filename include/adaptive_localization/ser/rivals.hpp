@@ -64,6 +64,10 @@ class Rivals {
   /// Somebody says where the robot is: there are no rivals.
   void close();
 
+  /// Whether some other place explains a scan so much better that the robot cannot be at, or right
+  /// beside, a pose; empty as long as nobody can tell: without a grid, or blinded.
+  std::optional<bool> gainsays(const Pose2& T_map_base, const Observations& observations) const;
+
   /// Goes on with what another one knows.
   void goOnFrom(const Rivals& other);
 
@@ -95,10 +99,11 @@ class Rivals {
     bool is_new{true};  // not judged yet: the scan counts in full
   };
 
-  void align(const PlaceRefiner& refiner, Hypothesis& hypothesis);
+  void align(const PlaceRefiner& refiner, Hypothesis& hypothesis) const;
   void believe(const PlaceRefiner& refiner, const Pose2& T_map_base);
   bool knows(const Pose2& T_map_base) const;
   double best() const;
+  double loss(double error, double least) const;
   bool searchIsDue();
   void search(const Observations& observations);
   void weigh(double share);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kalman_filters.hpp"
+
+#include <stdexcept>
+
+#include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/match/line_matcher.hpp"
+#include "ekf_icp.hpp"
+#include "elsewhere.hpp"
+#include "presets.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& context) {
+  const auto options = context.parameters.read<MatchOptions>();
+  const auto lines = context.parameters.read<LineOptions>();
+  const auto matching = [](auto matcher) {
+    return [matcher = std::move(matcher)](const Pose2& guess, const Scan& scan,
+                                          const Eigen::Matrix3d& prior) {
+      return matcher.match(guess, scan, prior);
+    };
+  };
+  if (landmarks == "hits") return matching(makeScanMatcher(options, *context.map));
+  if (options.line_map.empty()) {
+    throw std::invalid_argument(
+        "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
+  }
+  return matching(LineMatcher(lines, surfacesOf(loadFloorPlan(options.line_map))));
+}
+
+std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
+  const Parameters& given = context.parameters;
+  const auto options = given.read<EkfOptions>();
+  EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
+                 makeMatchScan(options.ekf_landmarks, context), placesFor(context),
+                 std::make_unique<FreeSpaceSampler>(context.map)};
+  return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
+}
+
+}  // namespace
+
+FilterDescription ekfIcp() {
+  std::vector<OptionDescription> all;
+  for (const auto& rows :
+       {describe(MotionOptions{}), describe(EkfOptions{}), describe(LineOptions{})}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return {"ekf_icp",
+          "Extended Kalman filter on odometry, corrected by matching scans with the map.",
+          makeEkfIcp,
+          std::move(all),
+          {{"relocalize", true}, {"update_min_d", 0.0}, {"update_min_a", 0.0}},
+          sourceOfEkfIcp()};
+}
+
+}  // namespace adaptive_localization
