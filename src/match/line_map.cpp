@@ -55,6 +55,8 @@ class Search {
     match.z = {line.rho, line.alpha};
     match.landmark = landmark;
     match.R = line.covariance;
+    match.R(0, 0) += options_.line_map_std * options_.line_map_std;
+    match.R(1, 1) += options_.line_map_turn_std * options_.line_map_turn_std;
     match.H << -landmark.normal.x(), -landmark.normal.y(), 0.0, 0.0, 0.0, -1.0;
     match.innovation = match.innovationAt(T_map_base_);
     return match;

@@ -32,6 +32,13 @@ SimulationOptions driveThrough(const std::string& world, int people) {
   return options;
 }
 
+/// For a map and a laser whose errors are noise alone.
+LineOptions exactly() {
+  LineOptions options;
+  options.line_map_std = options.line_map_turn_std = 0.0;
+  return options;
+}
+
 /// What a drive comes to.
 struct Outcome {
   int scans{0}, matched{0};
@@ -45,7 +52,7 @@ class LineDriver {
   LineDriver(const SimulationOptions& options, double outliers)
       : outliers_(outliers),
         simulation_(Simulation::load(options)),
-        matcher_({}, surfacesOf(loadFloorPlan(options.world))),
+        matcher_(exactly(), surfacesOf(loadFloorPlan(options.world))),
         motion_(makeMotionModel({})) {
     const Eigen::Vector3d deviation(0.05, 0.05, 0.02);
     kalman_.reset({simulation_.truth(), deviation.cwiseAbs2().asDiagonal()});

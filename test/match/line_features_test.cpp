@@ -40,13 +40,6 @@ double toWalls(const Eigen::Vector2d& point, const std::vector<Segment>& walls) 
   return least;
 }
 
-/// For a laser without noise.
-LineOptions noNoise() {
-  LineOptions options;
-  options.line_range_std = 1e-4;
-  return options;
-}
-
 Pose2 poseInRoom(Rng& rng) {
   return {rng.uniform(0.5, 5.5), rng.uniform(0.5, 3.5), rng.uniform(-kPi, kPi)};
 }
@@ -57,7 +50,7 @@ TEST(LinesOf, ARoomAreItsWallsWithoutNoise) {
   Rng rng(1);
   for (int i = 0; i < 100; ++i) {
     const Pose2 pose = poseInRoom(rng);
-    const auto lines = linesOf(laser.scan(pose, room(), rng), noNoise());
+    const auto lines = linesOf(laser.scan(pose, room(), rng), exactly(1e-4));
     ASSERT_THAT(lines, SizeIs(AllOf(Ge(4U), Le(5U))));  // the one behind is cut where the scan is
     std::size_t points = 0;
     double length = 0.0;
@@ -81,9 +74,9 @@ TEST(LinesOf, AnglesAndDistancesTurnWithTheRobotAndNotWithTheMount) {
     const Pose2 pose = poseInRoom(rng);
     const double turn = rng.uniform(-kPi, kPi);
     const Pose2 turned{pose.x, pose.y, wrapAngle(pose.theta + turn)};
-    const auto lines = linesOf(level.scan(pose, room(), rng), noNoise());
-    const auto seen_turned = linesOf(level.scan(turned, room(), rng), noNoise());
-    const auto seen_upside_down = linesOf(upside_down.scan(turned, room(), rng), noNoise());
+    const auto lines = linesOf(level.scan(pose, room(), rng), exactly(1e-4));
+    const auto seen_turned = linesOf(level.scan(turned, room(), rng), exactly(1e-4));
+    const auto seen_upside_down = linesOf(upside_down.scan(turned, room(), rng), exactly(1e-4));
     ASSERT_GE(lines.size(), 4U);
     for (const auto* others : {&seen_turned, &seen_upside_down}) {
       for (const auto& line : lines) {
@@ -169,7 +162,7 @@ TEST(LinesOf, SingleWrongHitsDoNotCutAWall) {
     for (int k = 0; k < 181; k += 10) message.ranges[static_cast<std::size_t>(k + i % 10)] *= 0.5F;
     ScanOptions options;
     options.laser_max_beams = 360;
-    const auto lines = linesOf(toScan(message, laser.mount, options), noNoise());
+    const auto lines = linesOf(toScan(message, laser.mount, options), exactly(1e-4));
     EXPECT_THAT(lines, SizeIs(3));
     for (const auto& line : lines) EXPECT_LT(errorOf(line, {1, 2, 0}, room()).norm(), 1e-5);
   }

@@ -57,8 +57,7 @@ TEST(LineMap, NormalsPointIntoTheWalls) {
 TEST(MatchLines, WithoutNoiseTheyLeadToTheRightPose) {
   ToyLaser laser;
   const LineMap map(room());
-  LineOptions options;
-  options.line_range_std = 1e-4;
+  const LineOptions options = exactly(1e-4);
   Rng rng(1);
   int solved = 0;
   for (int i = 0; i < 200; ++i) {
@@ -80,7 +79,7 @@ TEST(MatchLines, JacobianIsTheNumericOne) {
   Rng rng(2);
   const Pose2 pose{1.3, 2.1, 3.1};
   const auto lines = linesOf(ToyLaser{}.scan(pose, room(), rng), {});
-  const auto matches = matchLines(pose, covarianceOf(0.1, 0.05), lines, LineMap(room()), {});
+  const auto matches = matchLines(pose, covarianceOf(0.1, 0.05), lines, LineMap(room()), exactly());
   ASSERT_GE(matches.size(), 2U);
   constexpr double kStep = 1e-6;
   for (const auto& match : matches) {
@@ -108,7 +107,7 @@ TEST(MatchLines, PosesFromThemAreAsSureAsTheySay) {
     const Pose2 pose{rng.uniform(1, 5), rng.uniform(1, 3), rng.uniform(-kPi, kPi)};
     const Pose2 guess = moved(pose, 0.05, 0.02, rng);
     const auto lines = linesOf(laser.scan(pose, room(), rng), {});
-    const auto matches = matchLines(guess, covarianceOf(0.05, 0.02), lines, map, {});
+    const auto matches = matchLines(guess, covarianceOf(0.05, 0.02), lines, map, exactly());
     if (!areEnough(matches)) continue;
     const Gaussian2 found = solve(guess, matches);
     const Eigen::Vector3d error(found.mean.x - pose.x, found.mean.y - pose.y,
@@ -185,6 +184,28 @@ TEST(MatchLines, ALineBesideAWallOfTheMapIsNone) {
   const Eigen::Matrix3d covariance = covarianceOf(0.05, 0.05);
   EXPECT_THAT(matchLines(pose, covariance, lines, LineMap({{{9, 2}, {5, 2}}}), {}), IsEmpty());
   EXPECT_THAT(matchLines(pose, covariance, lines, LineMap({{{9, 2}, {0.5, 2}}}), {}), SizeIs(1));
+}
+
+TEST(MatchLines, ErrorsThatHitsShareDoNotPartWallsFromTheirLines) {
+  ToyLaser laser;
+  laser.noise = 0.01;
+  Rng rng(10);
+  const Pose2 pose{2, 2, 0.3};
+  LaserScan message = laser.message(pose, room(), rng);
+  for (float& range : message.ranges) range += 0.02F;  // as lasers err when they are warm
+  const Scan scan = toScan(message, laser.mount, {});
+  const LineMap map(room());
+  const Eigen::Matrix3d sure = covarianceOf(0.003, 0.002);
+  LineOptions options = exactly(0.01);
+  const auto lines = linesOf(scan, options);
+  ASSERT_THAT(lines, SizeIs(3));
+  EXPECT_THAT(matchLines(pose, sure, lines, map, options), IsEmpty());
+  options.line_map_std = 0.01;
+  const auto matches = matchLines(pose, sure, lines, map, options);
+  ASSERT_THAT(matches, SizeIs(3));
+  const auto& line = lines[static_cast<std::size_t>(matches[0].scan_line)];
+  EXPECT_NEAR(matches[0].R(0, 0), line.covariance(0, 0) + 1e-4, 1e-12);
+  EXPECT_EQ(matches[0].R(1, 1), line.covariance(1, 1));
 }
 
 TEST(MatchLines, HeadingsWrapAtHalfATurn) {

@@ -17,9 +17,7 @@ Pose2 near(const Pose2& pose, Rng& rng) {
 }
 
 TEST(LineMatcher, FindsThePoseOfAScanWithoutNoise) {
-  LineOptions options;
-  options.line_range_std = 1e-4;
-  const LineMatcher matcher(options, room());
+  const LineMatcher matcher(exactly(1e-4), room());
   Rng rng(1);
   int found = 0;
   for (int i = 0; i < 100; ++i) {
@@ -38,7 +36,7 @@ TEST(LineMatcher, FindsThePoseOfAScanWithoutNoise) {
 TEST(LineMatcher, RowsAreAsSureAsTheySay) {
   ToyLaser laser;
   laser.noise = 0.03;
-  const LineMatcher matcher({}, room());
+  const LineMatcher matcher(exactly(), room());
   Rng rng(2);
   double sum = 0.0;
   int rows = 0;

@@ -6,10 +6,19 @@
 #include <vector>
 
 #include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/match/line_features.hpp"
 #include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
+
+/// For a map and a laser whose errors are noise alone.
+inline LineOptions exactly(double range_std = 0.03) {
+  LineOptions options;
+  options.line_range_std = range_std;
+  options.line_map_std = options.line_map_turn_std = 0.0;
+  return options;
+}
 
 /// A room of 6 x 4 m, seen from within.
 inline std::vector<Segment> room() {

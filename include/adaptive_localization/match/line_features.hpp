@@ -14,6 +14,8 @@ struct LineOptions {
   double line_least_length{0.4};
   double line_split{4.0};
   double line_range_std{0.03};
+  double line_map_std{0.01};
+  double line_map_turn_std{0.002};
   double line_gate{9.21};
   double line_lead{4.0};
   double line_overlap{0.7};
@@ -29,6 +31,11 @@ struct LineOptions {
            "Hits farther from a line than so many times their noise are not of it.");
     option("line_range_std", line_range_std, kPositive, "m",
            "Standard deviation of the laser's ranges, as lines take it.");
+    option("line_map_std", line_map_std, kNotNegative, "m",
+           "Standard deviation of what all of a line's hits have in common: errors of the map's "
+           "wall and of the laser's ranges.");
+    option("line_map_turn_std", line_map_turn_std, kNotNegative, "rad",
+           "The same of a line's direction.");
     option("line_gate", line_gate, kPositive, "",
            "Squared Mahalanobis distance up to which a line of the scan can be one of the map; "
            "9.21: 99 % of the right ones.");

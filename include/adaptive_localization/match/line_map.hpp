@@ -36,7 +36,8 @@ class LineMap {
 ///
 ///     h(x, y, theta) = (rho_m - x cos(alpha_m) - y sin(alpha_m), alpha_m - theta),
 ///
-/// linear in the pose: H = [[-cos(alpha_m), -sin(alpha_m), 0], [0, 0, -1]], R the covariance of z.
+/// linear in the pose: H = [[-cos(alpha_m), -sin(alpha_m), 0], [0, 0, -1]], R the
+/// covariance of z and of what all of the line's hits have in common.
 struct LineMatch {
   Eigen::Vector2d innovation;  // z - h(pose that it was matched from), m and rad, wrapped
   Eigen::Matrix<double, 2, 3> H;
