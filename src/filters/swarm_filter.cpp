@@ -18,8 +18,8 @@ constexpr double kCloudXy = 0.06, kCloudTheta = 0.04;  // m, rad: a cloud is at 
 constexpr double kSecondPlace = 0.05;                  // mass of a mode that counts
 constexpr float kNarrow = 0.25F;                       // m
 constexpr double kCovered = 0.7;                       // share of beams
-constexpr double kHopeless = 0.6;                      // share of the worst cost that tells nothing
-constexpr double kUnsure = 9.0;  // a place found anew is so much less sure than its bats agree
+constexpr double kHopeless = 0.8;  // share of the worst cost that tells nothing, unmatched
+constexpr double kUnsure = 9.0;    // a place found anew is so much less sure than its bats agree
 constexpr double kStrange[] = {10.83, 13.82, 16.27};  // chi^2 of 1 to 3 directions, 0.1 %
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
@@ -159,7 +159,8 @@ void SwarmFilter::fixHere(const Observations& observations) {
 }
 
 void SwarmFilter::takeIfPlausible(const SwarmFix& fix, const Observations& observations) {
-  if (fix.cost > kHopeless * parts_.fixer->worst() || isStrange(fix, observations)) return;
+  const bool is_hopeless = !fix.match && fix.cost > kHopeless * parts_.fixer->worst();
+  if (is_hopeless || isStrange(fix, observations)) return;
   take(fix, options_.swarm_fuse && !is_undecided_);
 }
 
