@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""People walk about the maze, and the Kalman filter that matches scans does not mind them; it is
-also found after it was carried away and from an unknown start."""
+"""People walk about the maze, and the Kalman filter that matches scans does not mind them; the
+robot is also found after it was carried away and from an unknown start. How large errors may be, and
+how long the drive is, the launch file says."""
 import sys
 
 import rospy
@@ -25,14 +26,14 @@ class People(LocalizationCase):
 
     def test_a_drive_among_people(self):
         begin = rospy.get_time()
-        self.wait_for_time(60)
+        self.wait_for_time(rospy.get_param("~seconds"))
         errors = self.errors(begin)
         self.assertGreater(len(errors), 60)
         print("largest error %.3f m, %.2f deg, mean %.3f m of %d poses" % (
             max(m for _, m, _ in errors), max(d for _, _, d in errors),
             sum(m for _, m, _ in errors) / len(errors), len(errors)))
         for stamp, metres, degrees in errors:
-            self.assertLess(metres, 0.1, "at %.1f s" % stamp)
+            self.assertLess(metres, rospy.get_param("~largest_error"), "at %.1f s" % stamp)
             self.assertLess(degrees, 3.0, "at %.1f s" % stamp)
         self.assertEqual(self.status(), "tracking")
 
