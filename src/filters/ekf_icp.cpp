@@ -13,10 +13,16 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kPlaces = 5;      // that are looked at
-constexpr int kScansPerSearch = 3;      // while nothing is found: a search is dear
+constexpr double kUnusual = 0.5;        // inlier ratio, of the usual one
+constexpr double kJump = 0.5;           // m, rad: odometry that may have jumped
 constexpr double kBetter = 1.2;         // inlier ratio of a place against that of one at hand
 constexpr double kNewPlaceStd = 0.05;   // m, of a place just found, beyond what the match says
 constexpr double kNewPlaceTurn = 0.02;  // rad
+
+/// A search is dear: after 1, 2, 4, 8, ... scans that nothing explains.
+bool isPowerOfTwo(int count) {
+  return count > 0 && (count & (count - 1)) == 0;
+}
 
 }  // namespace
 
@@ -47,23 +53,45 @@ Estimate EkfIcp::estimate() const {
 }
 
 Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
+  const Pose2 before = kalman_.mean();
   if (isPlausible(motion)) {
     kalman_.predict(motion, parts_.motion->covariance(motion));
     if (candidate_) candidate_ = *candidate_ * motion;
   }
-  const Eigen::Matrix3d prior = kalman_.covariance().inverse();
-  match_ = parts_.match(kalman_.mean(), observations.scan,
-                        prior.allFinite() ? prior : Eigen::Matrix3d::Zero());
-  const bool is_blind = match_->fault == MatchFault::kFewHits;
-  if (!anywhere_ && correct(*match_)) {
+  match_ = matchAt(kalman_.mean(), observations.scan);
+  if (distance({}, motion) > kJump || std::abs(motion.theta) > kJump) {
+    undoJump(before, observations.scan);
+  }
+  const bool is_corrected = !anywhere_ && correct(*match_);
+  if (is_corrected && isUsual(match_->inlier_ratio)) {
     rejected_ = 0;
     candidate_.reset();
-  } else if (!is_blind) {
+  } else if (match_->fault != MatchFault::kFewHits) {
     ++rejected_;
     lookAround(observations);
   }
   if (!anywhere_) cloud_ = drawCloud(kalman_.belief(), options_.ekf_cloud, rng_);
   return estimate();
+}
+
+Match EkfIcp::matchAt(const Pose2& T_map_base, const Scan& scan) const {
+  const Eigen::Matrix3d prior = kalman_.covariance().inverse();
+  return parts_.match(T_map_base, scan, prior.allFinite() ? prior : Eigen::Matrix3d::Zero());
+}
+
+/// Odometry can jump by a metre while the robot stands: the scan tells.
+void EkfIcp::undoJump(const Pose2& T_map_base_before, const Scan& scan) {
+  const Match stayed = matchAt(T_map_base_before, scan);
+  if (!stayed.isGood() || stayed.inlier_ratio < kBetter * match_->inlier_ratio) return;
+  kalman_.reset({T_map_base_before, kalman_.covariance()});
+  match_ = stayed;
+}
+
+/// A wrong place can fit in part: more than usual that does not fit is a reason to look around.
+/// What is usual rises fast and falls slowly.
+bool EkfIcp::isUsual(double inlier_ratio) {
+  usual_ += (inlier_ratio > usual_ ? 0.2 : 0.02) * (inlier_ratio - usual_);
+  return inlier_ratio > kUnusual * usual_;
 }
 
 bool EkfIcp::correct(const Match& match) {
@@ -79,9 +107,8 @@ bool EkfIcp::correct(const Match& match) {
 /// From an unknown start the first place that fits will do; otherwise it must fit the next scan
 /// too.
 void EkfIcp::lookAround(const Observations& observations) {
-  const int since = rejected_ - options_.ekf_rejected_scans;
-  const bool is_due = anywhere_ || (since >= 0 && (candidate_ || since % kScansPerSearch == 0));
-  if (!is_due) return;
+  const int since = rejected_ - options_.ekf_rejected_scans + 1;
+  if (!anywhere_ && !(since > 0 && (candidate_ || isPowerOfTwo(since)))) return;
   const bool was_found = candidate_.has_value();
   const auto found = matchElsewhere(observations);
   candidate_.reset();
@@ -101,8 +128,8 @@ void EkfIcp::lookAround(const Observations& observations) {
   rejected_ = 0;
 }
 
-/// The place that most of the scan fits; one found before, and one that only odometry gainsays, as
-/// long as no other is clearly better.
+/// The place that most of the scan fits, clearly more than where the robot is believed to be; one
+/// found before, and one that only odometry gainsays, as long as no other is clearly better.
 std::optional<Match> EkfIcp::matchElsewhere(const Observations& observations) {
   std::optional<Match> best;
   double least = 0.0;  // inlier ratio that counts
@@ -112,10 +139,13 @@ std::optional<Match> EkfIcp::matchElsewhere(const Observations& observations) {
     best = match;
     least = match.inlier_ratio;
   };
+  if (!anywhere_ && match_->isGood()) least = kBetter * match_->inlier_ratio;
   if (candidate_) tryAt(*candidate_);
   if (best) return best;
-  if (!anywhere_ && match_->fault == MatchFault::kJump) tryAt(match_->T_map_base);
-  least *= kBetter;
+  if (!anywhere_ && match_->fault == MatchFault::kJump) {
+    tryAt(match_->T_map_base);
+    least *= kBetter;
+  }
   std::size_t tried = 0;
   for (const Place& place : parts_.places->search(observations)) {
     if (tried++ < kPlaces) tryAt(place.T_map_base);

@@ -54,8 +54,9 @@ struct EkfParts {
 ///     correct   by the matched pose, along the directions that the scan tells something of
 ///
 /// A match with too many outliers, or one that odometry gainsays (gate), corrects nothing: the
-/// covariance grows. After several such scans, and from an unknown start, the pose is looked for
-/// all over the map; what is found must fit two scans in a row.
+/// covariance grows. After several such scans, or some that fit much less than usual, and from an
+/// unknown start, the pose is looked for all over the map; what is found must fit two scans in a
+/// row.
 class EkfIcp : public Filter {
  public:
   EkfIcp(const EkfOptions& options, EkfParts parts, std::uint64_t seed)
@@ -68,7 +69,10 @@ class EkfIcp : public Filter {
   const Match* match() const override { return match_ ? &*match_ : nullptr; }
 
  private:
+  Match matchAt(const Pose2& T_map_base, const Scan& scan) const;
+  void undoJump(const Pose2& T_map_base_before, const Scan& scan);
   bool correct(const Match& match);
+  bool isUsual(double inlier_ratio);
   void lookAround(const Observations& observations);
   std::optional<Match> matchElsewhere(const Observations& observations);
 
@@ -80,6 +84,7 @@ class EkfIcp : public Filter {
   std::optional<Match> match_;
   bool anywhere_{false};
   int rejected_{0};                 // scans in a row
+  double usual_{0.7};               // inlier ratio
   std::optional<Pose2> candidate_;  // fitted the last scan
 };
 

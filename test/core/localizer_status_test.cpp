@@ -52,6 +52,31 @@ TEST(LocalizerStatus, TellsTheStoryOfAGlobalLocalizationAndAKidnapping) {
   EXPECT_LT(answer.confidence, 0.2);
 }
 
+TEST(LocalizerStatus, DoesNotBelieveAWrongInitialPose) {
+  const auto map = asymmetricWorld();
+  const auto drive = toyDrive(map, 5, 61);
+  for (const char* filter : {"kld", "sa_kld", "ekf_icp"}) {
+    Localizer localizer(parametersWith({{"filter", std::string(filter)}}), map);
+    localizer.reset(Gaussian2{{6.5, 1.5, 1.0}, Eigen::Vector3d(0.25, 0.25, 0.07).asDiagonal()});
+    Pose2 odometry;
+    for (std::size_t i = 0; i < 10; ++i) {
+      if (i > 0) odometry = odometry * drive[i].motion;
+      const Localization answer = localizer.update(odometry, drive[i].observations);
+      const bool is_right = distance(answer.T_map_base, drive[i].T_map_base) < 0.5;
+      ASSERT_TRUE(is_right || answer.status != Status::kTracking) << filter << ", scan " << i;
+    }
+  }
+}
+
+TEST(LocalizerStatus, BelievesAnInitialPoseThatOneOfTwoTwinsFits) {
+  const auto map = symmetricWorld();
+  Localizer localizer(parametersWith({{"filter", std::string("ekf_icp")}}), map);
+  const Pose2 place{1.0, 1.0, 0.3};
+  localizer.reset(Gaussian2{place, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  const auto seen = ToyLaser{}.observe(map, place);
+  EXPECT_EQ(localizer.update({}, seen).status, Status::kTracking);
+}
+
 TEST(LocalizerStatus, IsAmbiguousWhereTwoPlacesLookAlike) {
   const auto map = symmetricWorld();
   // chance decides how heavy a place gets, so one of a twentieth counts

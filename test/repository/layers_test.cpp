@@ -89,7 +89,7 @@ TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {
       {"filters",
        {"top", "map", "motion", "observation", "particle", "ser", "swarm", "match", "filters"}},
       {"sim", {"top", "map", "sim"}},
-      {"eval", {"top", "map", "ser", "swarm", "sim", "eval"}},
+      {"eval", {"top", "map", "particle", "ser", "swarm", "match", "sim", "eval"}},
       {"ros", {"top", "map", "ser", "match", "sim", "ros"}},
       {"apps", {"top", "map", "ser", "sim", "eval", "ros"}}};
   std::vector<std::string> wrong;

@@ -66,6 +66,22 @@ TEST(Rivals, KnowBetterThanAFilterThatBelievesInAnotherPlace) {
   EXPECT_EQ(judged.rivals.contradictions(), 0);
 }
 
+TEST(Rivals, GainsayWhatAScanRulesOutAndNothingElse) {
+  Judged judged(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  const Observations seen = judged.laser.observe(judged.map, truth);
+  EXPECT_THAT(judged.rivals.gainsays({8.0, 1.0, 2.0}, seen), testing::Optional(true));
+  EXPECT_THAT(judged.rivals.gainsays(truth, seen), testing::Optional(false));
+  EXPECT_THAT(judged.rivals.gainsays(truth * Pose2{0.1, 0.1, 0.05}, seen),
+              testing::Optional(false));
+  EXPECT_EQ(judged.rivals.gainsays(truth, Observations{}), std::nullopt);
+
+  Judged twins(symmetricWorld());
+  const Pose2 place{1.0, 1.0, 0.3};
+  const Observations either = twins.laser.observe(twins.map, place);
+  EXPECT_THAT(twins.rivals.gainsays(twinOf(place), either), testing::Optional(false));
+}
+
 TEST(Rivals, NeverDriftApartWhereTwoPlacesLookTheSame) {
   Judged judged(symmetricWorld());
   judged.rivals.open();

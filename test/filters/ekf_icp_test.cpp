@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_drive.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+std::unique_ptr<Filter> makeEkf() {
+  FilterContext context;
+  context.map = asymmetricWorld();
+  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  return FilterRegistry().find("ekf_icp").make(context);
+}
+
+Gaussian2 roughly(const Pose2& mean) {
+  return {mean, Eigen::Vector3d(0.01, 0.01, 0.005).asDiagonal()};
+}
+
+Observations seenAt(const Pose2& pose) {
+  return ToyLaser{91}.observe(asymmetricWorld(), pose);
+}
+
+/// Beams that see somebody right before the robot.
+Observations crowdedAt(const Pose2& pose, double share) {
+  Observations seen = seenAt(pose);
+  Rng rng(9);
+  for (Eigen::Index i = 0; i < seen.scan.x.size(); ++i) {
+    if (rng.uniform() >= share) continue;
+    const float nearer = 0.3F;
+    seen.scan.x[i] *= nearer;
+    seen.scan.y[i] *= nearer;
+    seen.scan.range[i] *= nearer;
+  }
+  return seen;
+}
+
+const Pose2 kPlace{2.0, 3.0, -0.5};
+
+TEST(EkfIcp, IsRightWithinACellThoughFourTenthsOfTheBeamsSeePeople) {
+  const auto filter = makeEkf();
+  filter->reset(roughly(kPlace * Pose2{0.08, -0.05, 0.04}));
+  Estimate estimate;
+  for (int k = 0; k < 5; ++k) estimate = filter->update({}, crowdedAt(kPlace, 0.4));
+  EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 0.05, 0.01));
+  ASSERT_NE(filter->match(), nullptr);
+  EXPECT_TRUE(filter->match()->isGood());
+  EXPECT_NEAR(filter->match()->inlier_ratio, 0.6, 0.1);
+}
+
+TEST(EkfIcp, GoesOnByOdometryAndDoubtsWhileNothingFits) {
+  const auto filter = makeEkf();
+  filter->reset(roughly(kPlace));
+  filter->update({}, seenAt(kPlace));
+  double before = 0.0;
+  Scan few = seenAt(kPlace).scan;
+  for (auto* column : {&few.x, &few.y, &few.range, &few.bearing}) column->conservativeResize(9);
+  Pose2 expected = filter->estimate().T_map_base;
+  for (int k = 0; k < 20; ++k) {
+    expected = expected * Pose2{0.05, 0.0, 0.02};
+    const Estimate estimate = filter->update({0.05, 0.0, 0.02}, {0.0, few});
+    EXPECT_EQ(filter->match()->fault, MatchFault::kFewHits);
+    EXPECT_THAT(estimate.T_map_base, PoseNear(expected, 1e-9, 1e-9));
+    ASSERT_GT(estimate.covariance.determinant(), before);
+    before = estimate.covariance.determinant();
+  }
+}
+
+TEST(EkfIcp, SaysThatPeopleAreAllItSees) {
+  const auto filter = makeEkf();
+  filter->reset(roughly(kPlace));
+  const Estimate estimate = filter->update({}, crowdedAt(kPlace, 1.0));
+  EXPECT_EQ(filter->match()->fault, MatchFault::kOutliers);
+  EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 1e-9, 1e-9));
+}
+
+TEST(EkfIcp, FindsItselfAgainAfterOdometryJumpedByAMetre) {
+  const auto filter = makeEkf();
+  filter->reset(roughly(kPlace));
+  filter->update({}, seenAt(kPlace));
+  filter->update({1.0, 0.3, 0.0}, seenAt(kPlace));
+  Estimate estimate = filter->estimate();
+  for (int k = 0; k < 6; ++k) estimate = filter->update({}, seenAt(kPlace));
+  EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 0.05, 0.02));
+}
+
+TEST(EkfIcp, FindsItselfAnywhereByOneScan) {
+  const auto filter = makeEkf();
+  filter->reset(Anywhere{});
+  EXPECT_THAT(filter->update({}, seenAt(kPlace)).T_map_base, PoseNear(kPlace, 0.05, 0.02));
+  EXPECT_EQ(filter->hypotheses().size(), 200);
+}
+
+TEST(EkfIcp, FindsItselfAfterBeingCarriedAway) {
+  const auto filter = makeEkf();
+  filter->reset(roughly(kPlace));
+  filter->update({}, seenAt(kPlace));
+  const Pose2 elsewhere{8.0, 3.5, 2.0};
+  Estimate estimate;
+  for (int k = 0; k < 6; ++k) estimate = filter->update({}, seenAt(elsewhere));
+  EXPECT_THAT(estimate.T_map_base, PoseNear(elsewhere, 0.05, 0.02));
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/match/surface_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A straight wall across free ground, as a perfect survey would draw it: cells whose centres lie
+/// beyond the line, but only the first.
+std::shared_ptr<const OccupancyGrid> slopedWall(double angle) {
+  const Lattice lattice(100, 100, 0.05, {});
+  std::vector<std::int8_t> cells(lattice.size());
+  const auto beyond = [&](const Cell& cell) {
+    const Eigen::Vector2d at = lattice.centre(cell) - Eigen::Vector2d(2.5, 2.5);
+    return std::sin(angle) * at.x() + std::cos(angle) * at.y();
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double depth = beyond(lattice.cell(i));
+    cells[i] = depth < 0.0    ? OccupancyGrid::kFree
+               : depth < 0.07 ? OccupancyGrid::kOccupied
+                              : OccupancyGrid::kUnknown;
+  }
+  return std::make_shared<const OccupancyGrid>(lattice, std::move(cells));
+}
+
+TEST(SurfaceMap, KnowsASlopedWallBetterThanItsCells) {
+  for (const double angle : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+    const SurfaceMap surfaces(*slopedWall(angle));
+    const Eigen::Vector2d across(std::sin(angle), std::cos(angle));
+    const Eigen::Vector2d along(across.y(), -across.x());
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+    for (double way = -1.5; way <= 1.5; way += 0.01, ++count) {
+      const Eigen::Vector2d at = Eigen::Vector2d(2.5, 2.5) + way * along;
+      const Surface* surface = surfaces.nearest(at);
+      ASSERT_NE(surface, nullptr);
+      const double turned = std::abs(surface->normal.cast<double>().dot(along));
+      EXPECT_LT(turned, 0.2) << angle;  // 11 degrees
+      EXPECT_LT(surface->normal.cast<double>().dot(across), 0.0) << "to the free side";
+      EXPECT_FALSE(surface->has_two_sides);
+      const double off = across.dot(surface->point.cast<double>() - at);
+      sum += off;
+      squares += off * off;
+    }
+    const double mean = sum / count;
+    EXPECT_LT(std::sqrt(squares / count - mean * mean), 0.008) << angle;  // a cell's is 0.0144
+    EXPECT_LT(std::abs(mean), 0.04) << angle;
+  }
+}
+
+TEST(SurfaceMap, TellsThinWallsFromThickOnes) {
+  const auto map = toyWorld({".....", "#####", "....."}, 0.05, {}, 1);
+  const SurfaceMap thin(*map);
+  ASSERT_NE(thin.nearest({0.12, 0.07}), nullptr);
+  EXPECT_TRUE(thin.nearest({0.12, 0.07})->has_two_sides);
+  EXPECT_TRUE(thin.nearest({0.12, 0.07})->faces({0.1, 0.0}));
+  EXPECT_TRUE(thin.nearest({0.12, 0.07})->faces({0.1, 0.15}));
+}
+
+/// The near side of a wall of 8 cm, for hits that noise puts beyond its middle.
+TEST(SurfaceMap, FindsTheSideThatABeamHit) {
+  const std::vector<Segment> sides{{{0.0, 1.0}, {4.0, 1.0}}, {{4.0, 1.08}, {0.0, 1.08}}};
+  const SurfaceMap surfaces(Lattice(100, 60, 0.05, {-0.5, -0.5, 0.0}),
+                            {sides[1], {sides[0].b, sides[0].a}});
+  const Eigen::Vector2d below(2.0, 0.2), above(2.0, 1.9);
+  for (const double y : {0.97, 1.03, 1.05, 1.09}) {
+    const Surface* from_below = surfaces.hitBy(below, {2.0, y});
+    const Surface* from_above = surfaces.hitBy(above, {2.0, y});
+    const bool is_from_right_sides =
+        (!from_below || from_below->faces(below)) && (!from_above || from_above->faces(above));
+    EXPECT_TRUE(is_from_right_sides) << y;
+    EXPECT_TRUE(from_below || from_above) << y;
+  }
+}
+
+TEST(SurfaceMap, HasNothingWhereThereIsNothing) {
+  const SurfaceMap empty(*toyWorld({"....", "...."}, 0.05));
+  EXPECT_TRUE(empty.surfaces().empty());
+  EXPECT_EQ(empty.nearest({0.1, 0.05}), nullptr);
+  const SurfaceMap wall(*slopedWall(0.0));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double far = 1e30;
+  for (const Eigen::Vector2d& odd :
+       {Eigen::Vector2d(nan, 1.0), Eigen::Vector2d(far, -far), Eigen::Vector2d(2.5, -10.0)}) {
+    EXPECT_EQ(wall.nearest(odd), nullptr);
+    EXPECT_EQ(wall.hitBy({2.0, 1.0}, odd), nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
