@@ -96,6 +96,25 @@ TEST_P(SwarmFilters, KeepToOdometryBehindACoveredLaser) {
   EXPECT_THAT(filter->estimate().T_map_base, PoseNear(truth, 0.05, 0.05));
 }
 
+TEST_P(SwarmFilters, FollowTheRobotThroughACrowd) {
+  const auto filter = makeSwarm(GetParam(), "recommended");
+  const auto drive = toyDrive(asymmetricWorld(), 3, 61);
+  filter->reset(exactly(drive.front().T_map_base));
+  Rng rng(5);
+  for (ToyStep step : drive) {
+    Scan& scan = step.observations.scan;
+    for (Eigen::Index i = 0; i < scan.range.size(); ++i) {
+      if (i % 10 > 3) continue;  // legs in two of five directions
+      const auto share = static_cast<float>(rng.uniform(0.3, 0.8));
+      scan.range[i] *= share;
+      scan.x[i] *= share;
+      scan.y[i] *= share;
+    }
+    const Pose2 pose = filter->update(step.motion, step.observations).T_map_base;
+    ASSERT_LT(distance(pose, step.T_map_base), 0.15);
+  }
+}
+
 TEST_P(SwarmFilters, RideOnOdometryUntilItIsTooUncertain) {
   const auto filter = makeSwarm(GetParam(), "seed", {{"swarm_fix_deviation", 0.1}});
   Pose2 truth{2.0, 1.0, 0.0};
