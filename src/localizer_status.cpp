@@ -132,19 +132,18 @@ bool Localizer::isDoubtful(const Pose2& T_map_base_expected) const {
   return confidence_->contradictions() >= kLostScans || (had_place && jumped);
 }
 
-/// Somebody who says where the robot is may be wrong: the first scans tell, and some on the way, if
-/// another place explains them and that one does not.
+/// Somebody who says where the robot is may be wrong: the first scan tells, if another place
+/// explains it and that one does not; where both do, some more scans on the way are asked.
 void Localizer::checkWhatWasTold(const Pose2& motion, const Observations& observations) {
   constexpr double kWay = 0.5;  // m or rad between checks
   way_to_check_ -= std::hypot(motion.x, motion.y) + std::abs(motion.theta);
   if (checks_left_ == 0 || way_to_check_ > 0.0 || !rivals_->isSettled()) return;
   const Pose2& T_map_base = last_.estimate.T_map_base;
-  const auto is_wrong = rivals_->gainsays(T_map_base, observations);
-  if (!is_wrong) return;
+  const Verdict verdict = rivals_->judge(T_map_base, observations);
+  if (verdict == Verdict::kUnknown) return;
   way_to_check_ = kWay;
-  --checks_left_;
-  if (!*is_wrong) return;
-  checks_left_ = 0;
+  checks_left_ = verdict == Verdict::kPossible ? checks_left_ - 1 : 0;
+  if (verdict != Verdict::kWrong) return;
   rivals_->open(T_map_base);
   rivals_->observe({}, T_map_base, observations);
 }

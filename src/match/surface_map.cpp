@@ -29,6 +29,34 @@ bool isVisible(const OccupancyGrid& grid, const Cell& c) {
   return false;
 }
 
+/// From which side a cell is seen: 0 not at all, 1 to 16 the direction of the free ground around,
+/// or both sides.
+using Side = std::uint8_t;
+constexpr int kSides = 16;
+constexpr Side kBothSides = 255;
+
+Side sideOf(const OccupancyGrid& grid, const Cell& c) {
+  if (!isVisible(grid, c)) return 0;
+  Eigen::Vector2d sum(0.0, 0.0);
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (grid.isFree({c.x + dx, c.y + dy})) sum += Eigen::Vector2d(dx, dy).normalized();
+    }
+  }
+  if (sum.norm() < 1.0) return kBothSides;
+  const double turns = std::atan2(sum.y(), sum.x()) / (2.0 * kPi);
+  const auto side = static_cast<int>(std::lround((turns + 1.0) * kSides));
+  return static_cast<Side>(1 + side % kSides);
+}
+
+/// Less than a right angle apart.
+bool areOfOneSide(Side a, Side b) {
+  if (a == 0 || b == 0) return false;
+  if (a == kBothSides || b == kBothSides) return true;
+  const int apart = std::abs(a - b);
+  return std::min(apart, kSides - apart) < kSides / 4;
+}
+
 /// Weighted mean and scatter of cells, in cells from the middle one.
 struct Scatter {
   double weight{0.0};
@@ -60,8 +88,7 @@ int freeAlong(const OccupancyGrid& grid, const Cell& cell, const Eigen::Vector2d
 
 class Fitter {
  public:
-  Fitter(const OccupancyGrid& grid, const std::vector<std::uint8_t>& is_visible)
-      : grid_(grid), is_visible_(is_visible) {}
+  Fitter(const OccupancyGrid& grid, const std::vector<Side>& sides) : grid_(grid), sides_(sides) {}
 
   /// The line through the cells around one; none where they make no line.
   std::optional<Surface> fit(const Cell& cell) const {
@@ -87,33 +114,34 @@ class Fitter {
  private:
   Scatter scatterAround(const Cell& cell) const {
     Scatter scatter;
+    const Side side = sides_[grid_.lattice().index(cell)];
     for (int dy = -kReach; dy <= kReach; ++dy) {
       for (int dx = -kReach; dx <= kReach; ++dx) {
         const Cell other{cell.x + dx, cell.y + dy};
         if (!grid_.lattice().contains(other)) continue;
-        if (is_visible_[grid_.lattice().index(other)]) scatter.add({dx, dy});
+        if (areOfOneSide(side, sides_[grid_.lattice().index(other)])) scatter.add({dx, dy});
       }
     }
     return scatter;
   }
 
   const OccupancyGrid& grid_;
-  const std::vector<std::uint8_t>& is_visible_;
+  const std::vector<Side>& sides_;
 };
 
 }  // namespace
 
 SurfaceMap::SurfaceMap(const OccupancyGrid& grid) : lattice_(grid.lattice()) {
-  std::vector<std::uint8_t> is_visible(lattice_.size());
+  std::vector<Side> sides(lattice_.size());
   std::vector<Cell> visible;
   for (int y = 0; y < lattice_.height(); ++y) {
     for (int x = 0; x < lattice_.width(); ++x) {
-      if (!isVisible(grid, {x, y})) continue;
-      is_visible[lattice_.index({x, y})] = 1;
-      visible.push_back({x, y});
+      const Side side = sideOf(grid, {x, y});
+      sides[lattice_.index({x, y})] = side;
+      if (side > 0) visible.push_back({x, y});
     }
   }
-  const Fitter fitter(grid, is_visible);
+  const Fitter fitter(grid, sides);
   std::vector<Seed> seeds;
   for (const Cell& cell : visible) {
     const auto surface = fitter.fit(cell);

@@ -65,16 +65,21 @@ void Rivals::close() {
   modes_.clear();
 }
 
-std::optional<bool> Rivals::gainsays(const Pose2& T_map_base,
-                                     const Observations& observations) const {
-  if (observations.scan.hits() == 0 || isCovered(observations.scan)) return std::nullopt;
+Verdict Rivals::judge(const Pose2& T_map_base, const Observations& observations) const {
+  if (observations.scan.hits() == 0 || isCovered(observations.scan)) return Verdict::kUnknown;
   const std::vector<Place>& places = places_->search(observations);
-  if (places.empty()) return std::nullopt;
+  if (places.empty()) return Verdict::kUnknown;
   const PlaceRefiner refiner(map_, *field_, observations.scan, observations.scan.max_range,
                              kTruncation);
   Hypothesis here{T_map_base, 0.0, 0.0};
   align(refiner, here);
-  return loss(here.error, places.front().error) > options_.rival_margin + kKnownBonus;
+  const double least = std::min(here.error, places.front().error);
+  if (loss(here.error, least) > options_.rival_margin + kKnownBonus) return Verdict::kWrong;
+  const bool is_only_one = std::all_of(places.begin(), places.end(), [&](const Place& place) {
+    return areSamePlace(place.T_map_base, T_map_base) ||
+           loss(place.error, least) > options_.rival_margin;
+  });
+  return is_only_one ? Verdict::kRight : Verdict::kPossible;
 }
 
 void Rivals::goOnFrom(const Rivals& other) {

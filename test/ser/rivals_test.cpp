@@ -66,20 +66,19 @@ TEST(Rivals, KnowBetterThanAFilterThatBelievesInAnotherPlace) {
   EXPECT_EQ(judged.rivals.contradictions(), 0);
 }
 
-TEST(Rivals, GainsayWhatAScanRulesOutAndNothingElse) {
+TEST(Rivals, JudgeWhatSomebodyTells) {
   Judged judged(asymmetricWorld());
   const Pose2 truth{2.0, 3.0, -0.5};
   const Observations seen = judged.laser.observe(judged.map, truth);
-  EXPECT_THAT(judged.rivals.gainsays({8.0, 1.0, 2.0}, seen), testing::Optional(true));
-  EXPECT_THAT(judged.rivals.gainsays(truth, seen), testing::Optional(false));
-  EXPECT_THAT(judged.rivals.gainsays(truth * Pose2{0.1, 0.1, 0.05}, seen),
-              testing::Optional(false));
-  EXPECT_EQ(judged.rivals.gainsays(truth, Observations{}), std::nullopt);
+  EXPECT_EQ(judged.rivals.judge({8.0, 1.0, 2.0}, seen), Verdict::kWrong);
+  EXPECT_EQ(judged.rivals.judge(truth, seen), Verdict::kRight);
+  EXPECT_EQ(judged.rivals.judge(truth * Pose2{0.1, 0.1, 0.05}, seen), Verdict::kRight);
+  EXPECT_EQ(judged.rivals.judge(truth, Observations{}), Verdict::kUnknown);
 
   Judged twins(symmetricWorld());
   const Pose2 place{1.0, 1.0, 0.3};
   const Observations either = twins.laser.observe(twins.map, place);
-  EXPECT_THAT(twins.rivals.gainsays(twinOf(place), either), testing::Optional(false));
+  EXPECT_EQ(twins.rivals.judge(twinOf(place), either), Verdict::kPossible);
 }
 
 TEST(Rivals, NeverDriftApartWhereTwoPlacesLookTheSame) {

@@ -26,7 +26,7 @@ struct MatchOptions {
   double match_keep{0.0};
   double match_range_std{0.01};
   double match_surface_std{0.03};
-  double match_information{0.05};
+  double match_information{0.1};
   double match_map_std{0.01};
   double match_map_turn_std{0.002};
   double match_least_inliers{0.4};

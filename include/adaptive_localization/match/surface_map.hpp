@@ -26,9 +26,9 @@ struct Surface {
 /// The surface nearest to any point, by one look-up: a label per cell of the map.
 ///
 /// From an occupancy grid: a line is fitted to the cells around each occupied one that free ground
-/// touches (total least squares, weights falling with distance), which tells where the wall is to a
-/// fraction of a cell if it is straight; where the cells around make no line there is no surface.
-/// From line segments: the segments.
+/// touches on the same side (total least squares, weights falling with distance), which tells where
+/// the wall is to a fraction of a cell if it is straight; where the cells around make no line there
+/// is no surface. From line segments: the segments.
 class SurfaceMap {
  public:
   explicit SurfaceMap(const OccupancyGrid& grid);

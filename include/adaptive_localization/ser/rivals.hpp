@@ -41,6 +41,9 @@ struct RivalsOptions {
   }
 };
 
+/// What a scan says of a place; unknown as long as nobody can tell: without a grid, or blinded.
+enum class Verdict { kUnknown, kWrong, kPossible, kRight };
+
 /// Keeps account of all places where the robot may be, for as long as there is more than one, so
 /// that nobody claims to know where it is before the others are ruled out.
 ///
@@ -64,9 +67,9 @@ class Rivals {
   /// Somebody says where the robot is: there are no rivals.
   void close();
 
-  /// Whether some other place explains a scan so much better that the robot cannot be at, or right
-  /// beside, a pose; empty as long as nobody can tell: without a grid, or blinded.
-  std::optional<bool> gainsays(const Pose2& T_map_base, const Observations& observations) const;
+  /// Whether a robot can be at, or right beside, a pose: not if some other place explains a scan so
+  /// much better, surely if no other one does.
+  Verdict judge(const Pose2& T_map_base, const Observations& observations) const;
 
   /// Goes on with what another one knows.
   void goOnFrom(const Rivals& other);
