@@ -13,6 +13,11 @@ constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
 
+bool isNarrow(const Estimate& estimate) {
+  constexpr double kStd = 0.2;  // m
+  return estimate.covariance.topLeftCorner<2, 2>().trace() < kStd * kStd;
+}
+
 /// What a filter says, and a few centimetres: clouds are narrower than they are right.
 Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
   constexpr double kStd = 0.05;  // m, and as much in rad
@@ -113,10 +118,11 @@ void Localizer::relocalize() {
   last_.estimate = filter_->estimate();
 }
 
-/// A filter that matches scans itself needs no help.
+/// A filter that matches scans itself needs no help; where a cloud is wide, a match may find
+/// anything.
 void Localizer::refine(const Observations& observations) {
   match_.reset();
-  if (!matcher_ || filter_->match()) return;
+  if (!matcher_ || filter_->match() || !isNarrow(last_.estimate)) return;
   const Eigen::Matrix3d prior = loosened(last_.estimate.covariance).inverse();
   match_ = matcher_->match(last_.estimate.T_map_base, observations.scan, prior);
   if (match_->isGood() && !isNear(last_.estimate, match_->T_map_base)) {

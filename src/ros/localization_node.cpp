@@ -83,6 +83,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     throw std::invalid_argument("none of its " + std::to_string(message.ranges.size()) +
                                 " ranges is valid");
   }
+  places_.prepare(scan);
   const auto begin = std::chrono::steady_clock::now();
   const Localization answer = localizer_->update(*T_odom_base, {stamp.toSec(), scan});
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
@@ -99,7 +100,6 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   const Match* match = localizer_->match();
   publisher_.publishStatus(answer, match, particles.size(), ms_per_update_, scans_.counts());
   display_.show(answer, scan, match, localizer_->places(), stamp);
-  places_.prepare(scan);
   return true;
 }
 
