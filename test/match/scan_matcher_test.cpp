@@ -233,15 +233,8 @@ TEST(ScanMatcher, SwappingScanAndMapGivesTheInverse) {
   const auto mapOf = [](const std::vector<Segment>& segments) {
     return std::make_shared<const SurfaceMap>(Lattice(200, 200, 0.05, {-5.0, -5.0, 0.0}), segments);
   };
-  const auto pointsOn = [](const std::vector<Segment>& segments) {
-    std::vector<Eigen::Vector2d> points;
-    for (const Segment& segment : segments) {
-      for (int k = 1; k < 40; ++k) points.push_back(segment.a + k / 40.0 * (segment.b - segment.a));
-    }
-    return hitsAt(points, 20.0).scan;
-  };
-  const auto there = ScanMatcher(with("line"), mapOf(room)).match({}, pointsOn(seen));
-  const auto back = ScanMatcher(with("line"), mapOf(seen)).match({}, pointsOn(room));
+  const auto there = ScanMatcher(with("line"), mapOf(room)).match({}, scanAt(moved, room));
+  const auto back = ScanMatcher(with("line"), mapOf(seen)).match({}, scanAt({}, room));
   EXPECT_THAT(there.T_map_base, PoseNear(moved, 2e-3, 1e-3));
   EXPECT_THAT(back.T_map_base, PoseNear(inverse(there.T_map_base), 4e-3, 2e-3));
 }

@@ -38,7 +38,7 @@ TEST(SurfaceMap, KnowsASlopedWallBetterThanItsCells) {
     int count = 0;
     for (double way = -1.5; way <= 1.5; way += 0.01, ++count) {
       const Eigen::Vector2d at = Eigen::Vector2d(2.5, 2.5) + way * along;
-      const Surface* surface = surfaces.nearest(at);
+      const Surface* surface = surfaces.hitBy(at - across, at);
       ASSERT_NE(surface, nullptr);
       const double turned = std::abs(surface->normal.cast<double>().dot(along));
       EXPECT_LT(turned, 0.2) << angle;  // 11 degrees
@@ -55,40 +55,38 @@ TEST(SurfaceMap, KnowsASlopedWallBetterThanItsCells) {
 }
 
 TEST(SurfaceMap, TellsThinWallsFromThickOnes) {
-  const auto map = toyWorld({".....", "#####", "....."}, 0.05, {}, 1);
-  const SurfaceMap thin(*map);
-  ASSERT_NE(thin.nearest({0.12, 0.07}), nullptr);
-  EXPECT_TRUE(thin.nearest({0.12, 0.07})->has_two_sides);
-  EXPECT_TRUE(thin.nearest({0.12, 0.07})->faces({0.1, 0.0}));
-  EXPECT_TRUE(thin.nearest({0.12, 0.07})->faces({0.1, 0.15}));
+  const SurfaceMap thin(*toyWorld({".....", "#####", "....."}, 0.05));
+  for (const Eigen::Vector2d& start : {Eigen::Vector2d(0.1, -1.0), Eigen::Vector2d(0.1, 1.0)}) {
+    const Surface* surface = thin.hitBy(start, {0.12, 0.07});
+    ASSERT_NE(surface, nullptr);
+    EXPECT_TRUE(surface->has_two_sides);
+    EXPECT_TRUE(surface->faces(start));
+  }
 }
 
-/// The near side of a wall of 8 cm, for hits that noise puts beyond its middle.
+/// A board of 4 cm, thinner than a cell, and hits that noise puts behind it.
 TEST(SurfaceMap, FindsTheSideThatABeamHit) {
-  const std::vector<Segment> sides{{{0.0, 1.0}, {4.0, 1.0}}, {{4.0, 1.08}, {0.0, 1.08}}};
-  const SurfaceMap surfaces(Lattice(100, 60, 0.05, {-0.5, -0.5, 0.0}),
-                            {sides[1], {sides[0].b, sides[0].a}});
-  const Eigen::Vector2d below(2.0, 0.2), above(2.0, 1.9);
-  for (const double y : {0.97, 1.03, 1.05, 1.09}) {
-    const Surface* from_below = surfaces.hitBy(below, {2.0, y});
-    const Surface* from_above = surfaces.hitBy(above, {2.0, y});
-    const bool is_from_right_sides =
-        (!from_below || from_below->faces(below)) && (!from_above || from_above->faces(above));
-    EXPECT_TRUE(is_from_right_sides) << y;
-    EXPECT_TRUE(from_below || from_above) << y;
+  const std::vector<Segment> board{{{4.0, 1.0}, {0.0, 1.0}}, {{0.0, 1.04}, {4.0, 1.04}}};
+  const SurfaceMap surfaces(Lattice(100, 60, 0.05, {-0.5, -0.5, 0.0}), board);
+  const Eigen::Vector2d below(2.1, 0.2), above(1.9, 1.9);
+  for (const double y : {0.93, 0.99, 1.01, 1.03, 1.05, 1.11}) {
+    for (const Eigen::Vector2d& start : {below, above}) {
+      const Surface* surface = surfaces.hitBy(start, {2.0, y});
+      ASSERT_NE(surface, nullptr) << y;
+      EXPECT_FLOAT_EQ(surface->point.y(), start.y() < 1.0 ? 1.0F : 1.04F) << y;
+    }
   }
 }
 
 TEST(SurfaceMap, HasNothingWhereThereIsNothing) {
   const SurfaceMap empty(*toyWorld({"....", "...."}, 0.05));
   EXPECT_TRUE(empty.surfaces().empty());
-  EXPECT_EQ(empty.nearest({0.1, 0.05}), nullptr);
+  EXPECT_EQ(empty.hitBy({0.0, 0.0}, {0.1, 0.05}), nullptr);
   const SurfaceMap wall(*slopedWall(0.0));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double far = 1e30;
   for (const Eigen::Vector2d& odd :
        {Eigen::Vector2d(nan, 1.0), Eigen::Vector2d(far, -far), Eigen::Vector2d(2.5, -10.0)}) {
-    EXPECT_EQ(wall.nearest(odd), nullptr);
     EXPECT_EQ(wall.hitBy({2.0, 1.0}, odd), nullptr);
   }
 }

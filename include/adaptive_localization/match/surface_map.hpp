@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Surface {
   }
 };
 
-/// The surface nearest to any point, by one look-up: a label per cell of the map.
+/// The surface nearest to any point, by look-up: labels for each cell of the map.
 ///
 /// From an occupancy grid: a line is fitted to the cells around each occupied one that free ground
 /// touches on the same side (total least squares, weights falling with distance), which tells where
@@ -39,17 +40,9 @@ class SurfaceMap {
 
   const Lattice& lattice() const { return lattice_; }
 
-  /// Null more than two metres beyond all surfaces and outside the lattice.
-  const Surface* nearest(const Eigen::Vector2d& point_map) const {
-    const Cell cell = lattice_.cellAt(point_map);
-    const auto column = static_cast<std::int64_t>(cell.x) - first_.x;
-    const auto row = static_cast<std::int64_t>(cell.y) - first_.y;
-    if (column < 0 || column >= width_ || row < 0 || row >= height_) return nullptr;
-    return &surfaces_[labels_[static_cast<std::size_t>(row * width_ + column)]];
-  }
-
-  /// The surface that a beam from `start` hit at a point: the nearest one or, where that is the far
-  /// side of a thin wall, one before it; null if neither faces the start.
+  /// The surface that a beam from `start` hit at a point: of those that face the start the nearest,
+  /// which is the near side of a wall wherever noise puts the hit. Null more than two metres beyond
+  /// all surfaces, outside the lattice, and where all face away.
   const Surface* hitBy(const Eigen::Vector2d& start, const Eigen::Vector2d& hit) const;
 
   /// All of them.
@@ -62,12 +55,15 @@ class SurfaceMap {
     std::uint32_t surface;
   };
   void spread(const std::vector<Seed>& seeds);
+  std::vector<std::uint32_t> labelsOf(const std::vector<Seed>& seeds) const;
 
   Lattice lattice_;
   std::vector<Surface> surfaces_;
   Cell first_{0, 0};  // of the part of the lattice that has labels
   int width_{0}, height_{0};
-  std::vector<std::uint32_t> labels_;  // index of the nearest surface, row-major
+  /// Index of the nearest of the surfaces that look to +x, -x, +y and -y, row-major; empty: none
+  /// do.
+  std::array<std::vector<std::uint32_t>, 4> labels_;
 };
 
 }  // namespace adaptive_localization
