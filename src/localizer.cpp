@@ -8,7 +8,7 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr int kChecks = 4;  // of what somebody told
+constexpr double kWayOfChecks = 0.5;  // m or rad, of what somebody told: the first
 
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
@@ -88,8 +88,9 @@ void Localizer::reset(const Prior& prior) {
   confidence_->reset();
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
-  checks_left_ = std::holds_alternative<Gaussian2>(prior) ? kChecks : 0;
+  is_told_ = std::holds_alternative<Gaussian2>(prior);
   way_to_check_ = 0.0;
+  way_of_checks_ = kWayOfChecks;
   if (from_anywhere_) {
     rivals_->open();
   } else {

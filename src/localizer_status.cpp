@@ -139,16 +139,17 @@ bool Localizer::isDoubtful(const Pose2& T_map_base_expected) const {
 }
 
 /// Somebody who says where the robot is may be wrong: the first scan tells, if another place
-/// explains it and that one does not; where both do, some more scans on the way are asked.
+/// explains it and that one does not; where both do, scans on the way are asked, ever farther
+/// apart.
 void Localizer::checkWhatWasTold(const Pose2& motion, const Observations& observations) {
-  constexpr double kWay = 0.5;  // m or rad between checks
   way_to_check_ -= std::hypot(motion.x, motion.y) + std::abs(motion.theta);
-  if (checks_left_ == 0 || way_to_check_ > 0.0 || !rivals_->isSettled()) return;
+  if (!is_told_ || way_to_check_ > 0.0 || !rivals_->isSettled()) return;
   const Pose2& T_map_base = last_.estimate.T_map_base;
   const Verdict verdict = rivals_->judge(T_map_base, observations);
   if (verdict == Verdict::kUnknown) return;
-  way_to_check_ = kWay;
-  checks_left_ = verdict == Verdict::kPossible ? checks_left_ - 1 : 0;
+  is_told_ = verdict == Verdict::kPossible;
+  way_to_check_ = way_of_checks_;
+  way_of_checks_ *= 1.5;
   if (verdict != Verdict::kWrong) return;
   rivals_->open(T_map_base);
   rivals_->observe({}, T_map_base, observations);

@@ -172,8 +172,9 @@ class Localizer {
 
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};
-  int checks_left_{0};      // of what somebody told, by scans
-  double way_to_check_{0};  // m or rad until the next
+  bool is_told_{false};        // where it is, by somebody, and other places may explain scans too
+  double way_to_check_{0.0};   // m or rad until the next check of that
+  double way_of_checks_{0.0};  // between checks
   bool update_requested_{false};
   std::uint64_t relocalizations_{0};
   std::optional<Pose2> T_odom_base_at_update_;
