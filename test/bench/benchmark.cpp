@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What scoring, resampling, updating, building fields and energy grids, searching and matching cost,
-// on one thread. An item is a particle and beam where beams count, else a particle, a cell, a ray, a
-// pose or, of a match, a beam.
+// What scoring, resampling, updating, building fields and energy grids, searching and matching
+// cost, on one thread. An item is a particle and beam where beams count, else a particle, a cell, a
+// ray, a pose or, of a match, a beam.
 #include <string>
 #include <utility>
 
