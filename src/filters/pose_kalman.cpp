@@ -30,12 +30,9 @@ PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed
   return {off(T_map_base, observed.mean), Eigen::Matrix3d::Identity(), observed.covariance};
 }
 
-PoseObservation observationOf(const Pose2& T_map_base, const Match& match,
-                              const Eigen::Matrix3d& more) {
-  PoseObservation observation{match.H * off(T_map_base, match.T_map_base) + match.rest, match.H,
-                              match.H * more * match.H.transpose()};
-  observation.R.diagonal() += match.variance;
-  return observation;
+PoseObservation observationOf(const Pose2& T_map_base, const Match& match) {
+  return {match.H * off(T_map_base, match.T_map_base) + match.rest, match.H,
+          match.variance.asDiagonal()};
 }
 
 void PoseKalman::reset(const Gaussian2& belief) {

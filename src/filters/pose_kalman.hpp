@@ -23,10 +23,8 @@ struct PoseObservation {
 /// All of the pose, observed as it is: H = I, headings wrapped.
 PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed);
 
-/// A matched scan as an observation: z = H x, with headings wrapped. `more` is added to the noise
-/// over (x, y, theta).
-PoseObservation observationOf(const Pose2& T_map_base, const Match& match,
-                              const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero());
+/// A matched scan as an observation: z = H x, with headings wrapped.
+PoseObservation observationOf(const Pose2& T_map_base, const Match& match);
 
 /// A Gaussian belief of the pose of base in map, and the extended Kalman filter's two steps
 /// (Thrun, Burgard and Fox 2005, table 3.3). Covariances stay symmetric and positive.

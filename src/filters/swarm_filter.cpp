@@ -43,10 +43,7 @@ PoseKalman beliefOf(const Mode& mode) {
 /// as one.
 PoseObservation observationOf(const Pose2& T_map_base, const SwarmFix& fix) {
   if (fix.match) return observationOf(T_map_base, *fix.match);
-  const Pose2& z = fix.estimate.T_map_base;
-  return {Eigen::Vector3d(z.x - T_map_base.x, z.y - T_map_base.y,
-                          wrapAngle(z.theta - T_map_base.theta)),
-          Eigen::Matrix3d::Identity(), fix.estimate.covariance};
+  return observationOf(T_map_base, Gaussian2{fix.estimate.T_map_base, fix.estimate.covariance});
 }
 
 bool hasSecondPlace(const Estimate& estimate) {

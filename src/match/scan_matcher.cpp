@@ -168,10 +168,11 @@ void ScanMatcher::rate(const Scan& scan, Match& match) const {
   const Eigen::Vector3d map_std(options_.match_map_std, options_.match_map_std,
                                 options_.match_map_turn_std);
   match.variance += (match.H * map_std.asDiagonal()).rowwise().squaredNorm();
-  if (match.inlier_ratio < options_.match_least_inliers)
+  if (match.inlier_ratio < options_.match_least_inliers) {
     match.fault = MatchFault::kOutliers;
-  else if (match.H.rows() == 0)
+  } else if (match.H.rows() == 0) {
     match.fault = MatchFault::kSingular;
+  }
 }
 
 }  // namespace adaptive_localization

@@ -102,9 +102,8 @@ TEST_F(Experiments, MergeByConcatenation) {
 }
 
 TEST_F(Experiments, RunUnderGnuParallelAsInOneProcess) {
-  if (runProgram("parallel", {"--version"}).output.find("GNU parallel") == std::string::npos) {
-    GTEST_SKIP() << "no GNU parallel here";
-  }
+  ASSERT_THAT(runProgram("parallel", {"--version"}).output, testing::HasSubstr("GNU parallel"))
+      << "scripts/setup installs it";
   ASSERT_EQ(run("one.jsonl", {"--quiet"}).exit_code, 0);
   const ProgramResult result = runProgram(
       "parallel", {"--will-cite", "--jobs", "2", EXPERIMENTS, experiment_, "--quiet", "--jobs", "1",

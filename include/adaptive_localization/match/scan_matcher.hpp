@@ -104,7 +104,7 @@ struct Match {
 ///     point    min sum_i w_i |R p_i + t - q_i|^2                 in closed form (Horn 1987)
 ///     v_i = (range_std cos i)^2 + surface_std^2                  i the beam's angle of incidence
 ///
-/// Pairs are found anew in each iteration. A hit behind a wall that has one side only, beyond the
+/// Pairs are found anew in each iteration. A hit where no wall faces the sensor, beyond the
 /// wall's ends or out of reach is paired with nothing. Information is J^T W J / sigma^2, J the rows
 /// (n, n . dR p), sigma^2 the larger of that of a beam at right angles and what the hits show;
 /// where the eigenvalues say that hardly a hit tells of a direction, the pose is left as it was
