@@ -92,7 +92,7 @@ class LineDriver {
         toScan(message, LaserMount::level(simulation_.laserMount()), ScanOptions{}, velocity);
     const Match match = matcher_.match(kalman_.mean(), scan, kalman_.covariance().inverse());
     if (!match.isGood()) return false;
-    const PoseObservation seen = observationOf(kalman_.mean(), match, Eigen::Matrix3d::Zero());
+    const PoseObservation seen = observationOf(kalman_.mean(), match);
     return kalman_.distanceOf(seen) < 16.27 && kalman_.correct(seen);
   }
 
