@@ -9,7 +9,7 @@
 
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/survey.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
@@ -78,6 +78,7 @@ std::optional<DriveBound> makeBound(const ExperimentSite& site, const Experiment
 
 ExperimentSite loadSite(const ExperimentCase& of_case) {
   constexpr double kSurveyCell = 0.05;  // m
+  constexpr double kSurveyTurn = 0.1;   // rad: nobody aligns a map with the walls
   constexpr double kMargin = 0.01;      // m, as the simulation has it
   const SimulationOptions options = SimulationOptions::from(of_case.simulation);
   ExperimentSite site;
@@ -85,7 +86,7 @@ ExperimentSite loadSite(const ExperimentCase& of_case) {
   site.free_space =
       std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
   site.map = std::make_shared<const OccupancyGrid>(
-      of_case.map.empty() ? survey(loadFloorPlan(of_case.world), kSurveyCell)
+      of_case.map.empty() ? rasterize(loadFloorPlan(of_case.world), kSurveyCell, kSurveyTurn)
                           : loadMap(of_case.map));
   site.distance_field = std::make_shared<const DistanceField>(*site.map);
   return site;

@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -85,6 +86,19 @@ FloorPlan loadFloorPlan(const std::string& yaml_file) {
   } catch (const std::exception& error) {
     throw std::invalid_argument("world file '" + yaml_file + "': " + error.what());
   }
+}
+
+std::vector<Polygon> solidsOf(const FloorPlan& plan) {
+  std::vector<Polygon> solids = plan.solids;
+  for (const auto& wall : plan.walls) solids.push_back(thickLine(wall, plan.wall_thickness));
+  return solids;
+}
+
+bool isFree(const Polygon& outline, const std::vector<Polygon>& solids,
+            const Eigen::Vector2d& point) {
+  return contains(outline, point) &&
+         std::none_of(solids.begin(), solids.end(),
+                      [&](const Polygon& solid) { return contains(solid, point); });
 }
 
 }  // namespace adaptive_localization

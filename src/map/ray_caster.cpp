@@ -63,7 +63,10 @@ double RayCaster::range(const Pose2& T_map_ray, double max_range) const {
   Axis row(y + skipped * dy, dy);
   travelled = skipped;
   while (travelled < end) {
-    if (grid_->isOccupied({column.cell, row.cell})) return travelled * resolution;
+    if (grid_->isOccupied({column.cell, row.cell})) {
+      const double inside = 0.5 / std::max(std::abs(dx), std::abs(dy));
+      return std::min((travelled + inside) * resolution, max_range);
+    }
     Axis& nearer = column.next < row.next ? column : row;
     travelled = skipped + nearer.next;
     nearer.advance();

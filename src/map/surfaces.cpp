@@ -13,12 +13,6 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-std::vector<Polygon> solidsOf(const FloorPlan& plan) {
-  std::vector<Polygon> solids = plan.solids;
-  for (const auto& wall : plan.walls) solids.push_back(thickLine(wall, plan.wall_thickness));
-  return solids;
-}
-
 /// Where another side meets this one, as shares of its length: a crossing, or, of a side that
 /// runs along it, the ends.
 void addCuts(const Segment& side, const Segment& other, std::vector<double>& cuts) {
@@ -79,11 +73,6 @@ void add(Segment piece, std::vector<Segment>& surfaces) {
 
 std::vector<Segment> surfacesOf(const FloorPlan& plan) {
   const std::vector<Polygon> solids = solidsOf(plan);
-  const auto isFree = [&](const Eigen::Vector2d& point) {
-    return contains(plan.outline, point) &&
-           std::none_of(solids.begin(), solids.end(),
-                        [&](const Polygon& solid) { return contains(solid, point); });
-  };
   std::vector<Segment> sides;
   const auto keep = [&](const Segment& side) {
     if ((side.b - side.a).norm() > kSame) sides.push_back(side);
@@ -100,8 +89,9 @@ std::vector<Segment> surfacesOf(const FloorPlan& plan) {
       const Segment piece{side.a + cuts[i - 1] * along, side.a + cuts[i] * along};
       if ((piece.b - piece.a).norm() < kSame) continue;
       const Eigen::Vector2d middle = (piece.a + piece.b) / 2.0;
-      const bool left_free = isFree(middle + left);
-      if (left_free == isFree(middle - left)) continue;  // within a solid, or solid on both sides
+      const bool left_free = isFree(plan.outline, solids, middle + left);
+      if (left_free == isFree(plan.outline, solids, middle - left))
+        continue;  // within a solid, or solid on both sides
       add(left_free ? piece : Segment{piece.b, piece.a}, surfaces);
     }
   }

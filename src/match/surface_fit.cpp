@@ -46,6 +46,11 @@ Side sideOf(const OccupancyGrid& grid, const Cell& c) {
   return static_cast<Side>(1 + side % kSides);
 }
 
+Eigen::Vector2d directionOf(Side side) {
+  const double angle = 2.0 * kPi * (side - 1) / kSides;
+  return {std::cos(angle), std::sin(angle)};
+}
+
 /// Less than a right angle apart.
 bool areOfOneSide(Side a, Side b) {
   if (a == 0 || b == 0) return false;
@@ -72,17 +77,6 @@ struct Scatter {
   Eigen::Matrix2d covariance() const { return squares / weight - mean() * mean().transpose(); }
 };
 
-/// How much free ground there is on the side of a direction.
-int freeAlong(const OccupancyGrid& grid, const Cell& cell, const Eigen::Vector2d& direction) {
-  int count = 0;
-  for (int step = 1; step <= kReach; ++step) {
-    const Eigen::Vector2d at = step * direction;
-    count += grid.isFree({cell.x + static_cast<int>(std::lround(at.x())),
-                          cell.y + static_cast<int>(std::lround(at.y()))});
-  }
-  return count;
-}
-
 class Fitter {
  public:
   Fitter(const OccupancyGrid& grid, const std::vector<Side>& sides) : grid_(grid), sides_(sides) {}
@@ -95,17 +89,16 @@ class Fitter {
     solver.computeDirect(scatter.covariance());
     const Eigen::Vector2d across = solver.eigenvectors().col(0);
     if (solver.eigenvalues()[0] > kRoughness * solver.eigenvalues()[1]) return std::nullopt;
-    const int left = freeAlong(grid_, cell, across);
-    const int right = freeAlong(grid_, cell, -across);
-    if (left + right == 0) return std::nullopt;
-    const Eigen::Vector2d normal = right > left ? Eigen::Vector2d(-across) : across;
+    const Side side = sides_[grid_.lattice().index(cell)];
+    const double towards = across.dot(directionOf(side));
+    const Eigen::Vector2d normal = towards < 0.0 ? Eigen::Vector2d(-across) : across;
     const Eigen::Vector2d offset = across.dot(scatter.mean()) * across;  // of the line's foot
     const Lattice& lattice = grid_.lattice();
     const double turn = lattice.origin().theta;
     const Pose2 to_map{0.0, 0.0, turn};
     const Eigen::Vector2d point = lattice.centre(cell) + to_map * (lattice.resolution() * offset);
     return Surface{point.cast<float>(), (to_map * normal).cast<float>(),
-                   kHalfCells * static_cast<float>(lattice.resolution()), left > 0 && right > 0};
+                   kHalfCells * static_cast<float>(lattice.resolution()), side == kBothSides};
   }
 
  private:

@@ -64,22 +64,24 @@ inline __attribute__((always_inline)) void stepBackBody(const LineStep& step, co
   }
 }
 
-inline __attribute__((always_inline)) void roundBody(const float* seen, int length, float scale,
-                                                     std::uint8_t* steps) {
+/// Rounds distances from where obstacles are entered to those of the surfaces in them.
+inline __attribute__((always_inline)) void roundBody(const float* seen, int length, float inside,
+                                                     float scale, std::uint8_t* steps) {
+  const float offset = inside * scale + 0.5F;
   for (int v = 0; v < length; ++v) {
-    steps[v] = static_cast<std::uint8_t>(std::min(seen[v] * scale + 0.5F, 255.0F));
+    steps[v] = static_cast<std::uint8_t>(std::min(seen[v] * scale + offset, 255.0F));
   }
 }
 
 using StepBack = void (*)(const LineStep&, const float*, const float*, const float*, int, float*);
-using Round = void (*)(const float*, int, float, std::uint8_t*);
+using Round = void (*)(const float*, int, float, float, std::uint8_t*);
 
 void stepBackPortable(const LineStep& step, const float* here, const float* next, const float* seen,
                       int length, float* result) {
   stepBackBody(step, here, next, seen, length, result);
 }
-void roundPortable(const float* seen, int length, float scale, std::uint8_t* steps) {
-  roundBody(seen, length, scale, steps);
+void roundPortable(const float* seen, int length, float inside, float scale, std::uint8_t* steps) {
+  roundBody(seen, length, inside, scale, steps);
 }
 
 #if defined(__x86_64__)
@@ -88,9 +90,9 @@ __attribute__((target("avx2"))) void stepBackAvx2(const LineStep& step, const fl
                                                   float* result) {
   stepBackBody(step, here, next, seen, length, result);
 }
-__attribute__((target("avx2"))) void roundAvx2(const float* seen, int length, float scale,
-                                               std::uint8_t* steps) {
-  roundBody(seen, length, scale, steps);
+__attribute__((target("avx2"))) void roundAvx2(const float* seen, int length, float inside,
+                                               float scale, std::uint8_t* steps) {
+  roundBody(seen, length, inside, scale, steps);
 }
 bool hasAvx2() {
   return __builtin_cpu_supports("avx2") != 0;
@@ -138,11 +140,12 @@ class BundleSweep {
   void write(int u) {
     std::uint8_t* out =
         request_.steps + static_cast<std::size_t>(u / request_.spacing) * request_.pitch;
+    const auto inside = static_cast<float>(0.5 * length_);  // half a step: to the cell's middle
     if (request_.spacing == 1) {
-      kRound(seen_.data() + 1, map_.length, request_.scale, out);
+      kRound(seen_.data() + 1, map_.length, inside, request_.scale, out);
       return;
     }
-    kRound(seen_.data() + 1, map_.length, request_.scale, steps_.data());
+    kRound(seen_.data() + 1, map_.length, inside, request_.scale, steps_.data());
     for (int v = request_.first_v; v < map_.length; v += request_.spacing) {
       *out++ = steps_[static_cast<std::size_t>(v)];
     }

@@ -34,9 +34,10 @@ struct SweepMap {
 SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are_columns);
 
 /// Ranges from all of a SweepMap's cells in one direction, which advances by `sense` (1 or -1) in u
-/// and by `slope`, in [-1, 1], in v at each step: scale times the number of cells travelled,
-/// rounded, at most 255. Only cells of every `spacing`-th line and column are written,
-/// steps[u / spacing * pitch + v / spacing], counted from `first`, the remainder of u and v.
+/// and by `slope`, in [-1, 1], in v at each step: scale times the number of cells travelled until
+/// half a step into the first obstacle (see RayCaster), rounded, at most 255. Only cells of every
+/// `spacing`-th line and column are written, steps[u / spacing * pitch + v / spacing], counted from
+/// `first`, the remainder of u and v.
 struct Sweep {
   int sense;
   double slope;

@@ -3,91 +3,49 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace adaptive_localization {
 namespace {
 
-Lattice latticeFor(const FloorPlan& plan, double resolution, int margin) {
-  if (!(resolution > 0.0)) {
+constexpr double kMargin = 5.0;  // cells
+
+/// The map's origin is in the centre of a cell.
+Lattice latticeFor(const FloorPlan& plan, double resolution, double turn) {
+  const Pose2 T_turned_map = inverse(Pose2{0.0, 0.0, turn});
+  Polygon turned;
+  for (const auto& corner : plan.outline) turned.push_back(T_turned_map * corner);
+  const Bounds bounds = boundsOf(turned);
+  const Eigen::Vector2d low = (bounds.low / resolution).array().round() - kMargin - 0.5;
+  const Eigen::Vector2d high = (bounds.high / resolution).array().round() + kMargin + 0.5;
+  const Eigen::Vector2d size = high - low;
+  if (!(resolution > 0.0 && size.x() * size.y() < 1e8)) {
     throw std::invalid_argument("map resolution: got " + std::to_string(resolution) +
-                                ", expected a positive number of metres per cell");
+                                ", expected one that gives a map of less than 1e8 cells");
   }
-  const Bounds bounds = boundsOf(plan.outline);
-  const auto down = [&](double value) { return std::floor(value / resolution + 1e-6) - margin; };
-  const auto up = [&](double value) { return std::ceil(value / resolution - 1e-6) + margin; };
-  const double x = down(bounds.low.x());
-  const double y = down(bounds.low.y());
-  const double width = up(bounds.high.x()) - x;
-  const double height = up(bounds.high.y()) - y;
-  if (!(width * height < 1e8)) {
-    throw std::invalid_argument("map resolution: got " + std::to_string(resolution) +
-                                ", expected a map of less than 1e8 cells");
-  }
-  return {static_cast<int>(width),
-          static_cast<int>(height),
-          resolution,
-          {x * resolution, y * resolution, 0.0}};
+  return {static_cast<int>(size.x()), static_cast<int>(size.y()), resolution,
+          Pose2{0.0, 0.0, turn} * Pose2{low.x() * resolution, low.y() * resolution, 0.0}};
 }
-
-/// Solid cells as a plan is painted: first all, then the inside of the outline free, then walls.
-class Canvas {
- public:
-  explicit Canvas(const Lattice& lattice) : lattice_(lattice), solid_(lattice.size(), 1) {}
-
-  void paint(const Polygon& polygon, char solid) {
-    const Bounds bounds = boundsOf(polygon);
-    const Cell low = lattice_.cellAt(bounds.low);
-    const Cell high = lattice_.cellAt(bounds.high);
-    for (Cell cell = low; cell.y <= high.y; ++cell.y) {
-      for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
-        if (lattice_.contains(cell) && contains(polygon, lattice_.centre(cell))) {
-          solid_[lattice_.index(cell)] = solid;
-        }
-      }
-    }
-  }
-
-  void paint(const Segment& line) {
-    const Eigen::Vector2d along = line.b - line.a;
-    const int steps = static_cast<int>(std::ceil(along.norm() / lattice_.resolution() * 4.0));
-    for (int i = 0; i <= steps; ++i) {
-      const Cell cell = lattice_.cellAt(line.a + along * (static_cast<double>(i) / steps));
-      if (lattice_.contains(cell)) solid_[lattice_.index(cell)] = 1;
-    }
-  }
-
-  std::int8_t value(const Cell& cell) const {
-    if (!isSolid(cell)) return OccupancyGrid::kFree;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (!isSolid({cell.x + dx, cell.y + dy})) return OccupancyGrid::kOccupied;
-      }
-    }
-    return OccupancyGrid::kUnknown;
-  }
-
- private:
-  bool isSolid(const Cell& cell) const {
-    return !lattice_.contains(cell) || solid_[lattice_.index(cell)] != 0;
-  }
-
-  Lattice lattice_;
-  std::vector<char> solid_;
-};
 
 }  // namespace
 
-OccupancyGrid rasterize(const FloorPlan& plan, double resolution, int margin) {
-  const Lattice lattice = latticeFor(plan, resolution, margin);
-  Canvas canvas(lattice);
-  canvas.paint(plan.outline, 0);
-  for (const auto& solid : plan.solids) canvas.paint(solid, 1);
-  for (const auto& wall : plan.walls) {
-    canvas.paint(thickLine(wall, plan.wall_thickness), 1);
-    canvas.paint(wall);
+OccupancyGrid rasterize(const FloorPlan& plan, double resolution, double turn) {
+  const Lattice lattice = latticeFor(plan, resolution, turn);
+  const std::vector<Polygon> solids = solidsOf(plan);
+  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kUnknown);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (isFree(plan.outline, solids, lattice.centre(lattice.cell(i))))
+      cells[i] = OccupancyGrid::kFree;
   }
-  std::vector<std::int8_t> cells(lattice.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = canvas.value(lattice.cell(i));
+  for (const auto& surface : surfacesOf(plan)) {
+    const Eigen::Vector2d along = surface.b - surface.a;
+    const int steps = static_cast<int>(std::ceil(along.norm() / resolution * 20.0));
+    for (int i = 0; i <= steps; ++i) {
+      const Cell cell = lattice.cellAt(surface.a + along * (static_cast<double>(i) / steps));
+      cells[lattice.index(cell)] = OccupancyGrid::kOccupied;
+    }
+  }
   return {lattice, std::move(cells)};
 }
 

@@ -119,8 +119,7 @@ class GridWorld final : public World {
 std::shared_ptr<const World> makeWorld(const FloorPlan& plan, bool furniture) {
   std::vector<Solid> solids;
   const auto add = [&](const Polygon& polygon) { solids.push_back({polygon, boundsOf(polygon)}); };
-  for (const auto& wall : plan.walls) add(thickLine(wall, plan.wall_thickness));
-  for (const auto& solid : plan.solids) add(solid);
+  for (const auto& solid : solidsOf(plan)) add(solid);
   if (furniture) {
     for (const auto& piece : plan.furniture) add(piece);
   }

@@ -32,10 +32,14 @@ double entry(const Lattice& lattice, const Cell& cell, const Pose2& T_map_ray, d
 }
 
 double bruteForce(const OccupancyGrid& grid, const Pose2& ray, double max_range, double graze) {
+  const double theta = grid.lattice().toLattice(ray).theta;
+  const double inside = 0.5 * grid.lattice().resolution() /
+                        std::max(std::abs(std::cos(theta)), std::abs(std::sin(theta)));
   double nearest = max_range;
   for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
     const Cell cell = grid.lattice().cell(i);
-    if (grid.isOccupied(cell)) nearest = std::min(nearest, entry(grid.lattice(), cell, ray, graze));
+    if (!grid.isOccupied(cell)) continue;
+    nearest = std::min(nearest, entry(grid.lattice(), cell, ray, graze) + inside);
   }
   return nearest;
 }
@@ -64,10 +68,10 @@ TEST(RayCaster, FindsTheFirstCellThatTheRayEnters) {
 TEST(RayCaster, IsExactAlongTheAxes) {
   const auto map = toyWorld({"#####", "#...#", "#...#", "#...#", "#####"}, 1.0);
   const RayCaster caster(map);
-  EXPECT_DOUBLE_EQ(caster.range({2.25, 2.75, 0.0}, 9.0), 1.75);
-  EXPECT_NEAR(caster.range({2.25, 2.75, kPi}, 9.0), 1.25, 1e-12);
-  EXPECT_NEAR(caster.range({2.25, 2.75, kPi / 2}, 9.0), 1.25, 1e-12);
-  EXPECT_NEAR(caster.range({2.25, 2.75, -kPi / 2}, 9.0), 1.75, 1e-12);
+  EXPECT_DOUBLE_EQ(caster.range({2.25, 2.75, 0.0}, 9.0), 2.25);
+  EXPECT_NEAR(caster.range({2.25, 2.75, kPi}, 9.0), 1.75, 1e-12);
+  EXPECT_NEAR(caster.range({2.25, 2.75, kPi / 2}, 9.0), 1.75, 1e-12);
+  EXPECT_NEAR(caster.range({2.25, 2.75, -kPi / 2}, 9.0), 2.25, 1e-12);
 }
 
 TEST(RayCaster, DoesNotSlipThroughADiagonalWall) {
@@ -78,20 +82,20 @@ TEST(RayCaster, DoesNotSlipThroughADiagonalWall) {
   }
 }
 
-TEST(RayCaster, SeesTheNearSideOfTheWallAndNothingBeyondTheRange) {
+TEST(RayCaster, SeesTheMiddleOfTheWallsCellAndNothingBeyondTheRange) {
   const auto map = toyWorld({"....#"}, 1.0);
   const RayCaster caster(map);
-  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 3.5);
-  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 3.4), 3.4);
-  EXPECT_DOUBLE_EQ(caster.range({4.5, 0.5, 0.0}, 9.0), 0.0);  // inside the wall
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 4.0);
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 3.9), 3.9);
+  EXPECT_DOUBLE_EQ(caster.range({4.5, 0.5, 0.0}, 9.0), 0.5);  // inside the wall
 }
 
 TEST(RayCaster, SeesThroughTheUnknownAndFromOutside) {
   const auto map = toyWorld({"??#"}, 1.0);
   const RayCaster caster(map);
-  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 1.5);
-  EXPECT_NEAR(caster.range({-3.0, 0.5, 0.0}, 9.0), 5.0, 1e-6);
-  EXPECT_NEAR(caster.range({2.5, 4.0, -kPi / 2}, 9.0), 3.0, 1e-6);
+  EXPECT_DOUBLE_EQ(caster.range({0.5, 0.5, 0.0}, 9.0), 2.0);
+  EXPECT_NEAR(caster.range({-3.0, 0.5, 0.0}, 9.0), 5.5, 1e-6);
+  EXPECT_NEAR(caster.range({2.5, 4.0, -kPi / 2}, 9.0), 3.5, 1e-6);
   EXPECT_DOUBLE_EQ(caster.range({-3.0, 0.5, kPi}, 9.0), 9.0);
   EXPECT_DOUBLE_EQ(caster.range({-3.0, 5.0, 0.0}, 9.0), 9.0);
 }

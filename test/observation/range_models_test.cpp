@@ -15,7 +15,7 @@ TEST(BeamModel, IsTheFourPartMixture) {
   options.laser_z_short = 0.05;
   options.laser_lambda_short = 0.2;
   options.laser_z_max = 0.07;
-  const double expected = 2.0;  // from x = 1 to the wall's near side
+  const double expected = 2.025;  // from x = 1 to the middle of the wall's cell
   const auto direct = [&](double z) {
     const double d = (z - expected) / 0.1;
     return 0.9 * std::exp(-0.5 * d * d) + (z < expected ? 0.05 * 0.2 * std::exp(-0.2 * z) : 0.0) +
@@ -27,24 +27,25 @@ TEST(BeamModel, IsTheFourPartMixture) {
   }
   Observations mixed = hitsAt({{1.9, 0.0}}, 10.0);
   mixed.scan.no_return_bearing = Eigen::ArrayXf::Zero(1);
-  // the no-return is read as 10 m where 2 m are expected
+  // the no-return is read as 10 m where about 2 m are expected
   EXPECT_NEAR(scoreAt(options, wall(), mixed, kInLane), std::log(direct(1.9)) + std::log(0.07),
               1e-5);
 }
 
 TEST(BeamModel, LooksFromWhereTheSensorIs) {
   const ObservationOptions options = modelOptions("beam");
-  Observations seen = hitsAt({{2.0, 0.0}}, 10.0);
+  Observations seen = hitsAt({{2.025, 0.0}}, 10.0);
   seen.scan.position = {0.5, 0.0};
-  seen.scan.range[0] = 1.5F;
+  seen.scan.range[0] = 1.526F;  // not short of the wall
   EXPECT_NEAR(scoreAt(options, wall(), seen, kInLane), std::log(0.9 + 0.01), 1e-3);
 }
 
 TEST(InverseL1, IsTheInverseSumOfAbsoluteErrors) {
   const auto options = modelOptions("inverse_l1");
-  EXPECT_NEAR(scoreAt(options, wall(), hitsAt({{1.5, 0.0}, {2.25, 0.0}}, 10.0), kInLane),
+  EXPECT_NEAR(scoreAt(options, wall(), hitsAt({{1.525, 0.0}, {2.275, 0.0}}, 10.0), kInLane),
               -std::log(0.75), 1e-6);
-  EXPECT_NEAR(scoreAt(options, wall(), hitsAt({{2.0, 0.0}}, 10.0), kInLane), -std::log(1e-3), 1e-3);
+  EXPECT_NEAR(scoreAt(options, wall(), hitsAt({{2.025, 0.0}}, 10.0), kInLane), -std::log(1e-3),
+              1e-3);
 }
 
 }  // namespace

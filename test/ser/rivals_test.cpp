@@ -109,7 +109,7 @@ TEST(Rivals, ARobotThatStandsStillLearnsNothingNew) {
 TEST(Rivals, AskWhereACarriedRobotIs) {
   Judged judged(asymmetricWorld());
   const Pose2 before{2.0, 3.0, -0.5};
-  Pose2 after{3.0, 2.0, 0.3};
+  Pose2 after{3.2, 2.0, 0.3};
   judged.rivals.open(before);
   judged.see(after, before);
   EXPECT_FALSE(judged.rivals.isSettled());

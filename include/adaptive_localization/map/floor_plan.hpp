@@ -34,6 +34,13 @@ struct FloorPlan {
 /// Throws std::invalid_argument naming file, key and what was expected.
 FloorPlan loadFloorPlan(const std::string& yaml_file);
 
+/// All that is solid within the outline and on the map: solids, and walls as thick as they are.
+std::vector<Polygon> solidsOf(const FloorPlan& plan);
+
+/// Whether a point is inside the outline and in none of the solids.
+bool isFree(const Polygon& outline, const std::vector<Polygon>& solids,
+            const Eigen::Vector2d& point);
+
 /// The sides that a laser sees: those of the outline, the walls and the solids, but not what lies
 /// within another of them. Free space is on the left of a -> b. Furniture is left out, as in a map.
 std::vector<Segment> surfacesOf(const FloorPlan& plan);

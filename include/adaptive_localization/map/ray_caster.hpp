@@ -13,9 +13,11 @@ class RayCaster {
  public:
   explicit RayCaster(std::shared_ptr<const OccupancyGrid> grid) : grid_(std::move(grid)) {}
 
-  /// Metres from the ray's start (map frame, theta its direction) to the near side of the first
-  /// occupied cell; 0 if it starts in one; max_range if there is none before. Unknown cells and
-  /// everything outside the map are transparent.
+  /// Metres from the ray's start (map frame, theta its direction) to the surface in the first
+  /// occupied cell; max_range if there is none before. Surfaces pass through the middle of cells,
+  /// since maps mark those in which beams ended: half a cell along x or y, whichever the ray runs
+  /// along, behind the side by which it enters. Unknown cells and everything outside the map are
+  /// transparent.
   double range(const Pose2& T_map_ray, double max_range) const;
 
  private:

@@ -6,11 +6,12 @@
 
 namespace adaptive_localization {
 
-/// The map a perfect survey would make: a cell is solid if its centre is (or if a wall's centre
-/// line crosses it, so that no wall is lost in a coarse grid), occupied if it is solid and touches
-/// a free cell, unknown if it is solid and does not. Furniture is left out. Surfaces are within
-/// half a cell of the plan's. The lattice is the outline's bounding box and `margin` cells around
-/// it.
-OccupancyGrid rasterize(const FloorPlan& plan, double resolution, int margin = 5);
+/// The map of a plan as a robot with a laser would make it: cells in which a surface lies are
+/// occupied, since that is where beams end; of the others those with a free centre are free and the
+/// rest is unknown. So a wall's surface is on the average in the middle of its cells, and exactly
+/// there if it lies on a multiple of the resolution, m, and the lattice is not turned, rad.
+/// Furniture is left out. The lattice bounds the outline with some cells to spare. Throws
+/// std::invalid_argument for a resolution that gives no map, or one of more than 1e8 cells.
+OccupancyGrid rasterize(const FloorPlan& plan, double resolution, double turn = 0.0);
 
 }  // namespace adaptive_localization
