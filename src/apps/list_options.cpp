@@ -94,6 +94,7 @@ void printTables() {
   printTable("Localizer", describe(LocalizerOptions{}));
   printTable("Scans", describe(ScanOptions{}));
   printTable("Filters", of_filters);
+  printTable("Matching scans", describe(MatchOptions{}));
   printTable("Confidence and status", describe(ConfidenceOptions{}));
   printTable("Energy grid", describe(EnergyGridOptions{}));
   printTable("Global search", describe(GlobalSearchOptions{}));

@@ -56,6 +56,18 @@ TEST(Documents, ReadmeHoldsTheTablesOfOptions) {
       << kAdvice;
 }
 
+TEST(Documents, ReadmeTellsOfEveryOption) {
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  const std::string readme = contentsOf("README.md");
+  const auto options = Localizer({}, cell).allOptions();
+  EXPECT_GT(options.size(), 100U);
+  for (const auto& option : options) {
+    EXPECT_NE(readme.find("| `" + option.key + "` |"), std::string::npos)
+        << option.key << " is in no table of list_options";
+  }
+}
+
 TEST(Documents, ParameterFilesAreUpToDate) {
   forEachPreset([](const std::string& core, const std::string& preset) {
     EXPECT_EQ(contentsOf(fileOf(core, preset)), outputOf("--yaml " + core + " --preset " + preset))
