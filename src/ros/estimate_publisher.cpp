@@ -74,7 +74,8 @@ void EstimatePublisher::publishModes(const std::vector<Mode>& modes, const ros::
 }
 
 void EstimatePublisher::publishLeaders(const Particles& leaders, const ros::Time& stamp) {
-  if (leaders.size() == 0) return;
+  if (leaders.size() == 0 && !has_leaders_) return;
+  has_leaders_ = leaders.size() > 0;
   geometry_msgs::PoseArray message = toMessage(leaders);
   message.header.stamp = stamp;
   message.header.frame_id = options_.global_frame_id;

@@ -23,7 +23,7 @@ class EstimatePublisher {
   /// rate), pose, cloud and modes only after an update.
   void publish(const Localization& answer, const Particles& particles, const ros::Time& stamp);
 
-  /// The leaders of a swarm; nothing where the filter has none.
+  /// The leaders of a swarm; none, once, when a filter has no more: the topic is latched.
   void publishLeaders(const Particles& leaders, const ros::Time& stamp);
 
   /// The status in words with its figures. `ms_per_update` is that of the last update, and so is
@@ -46,6 +46,7 @@ class EstimatePublisher {
   ros::Publisher confidence_;
   ros::Publisher status_;
   tf2_ros::TransformBroadcaster broadcaster_;
+  bool has_leaders_{false};  // were published last
   std::optional<Pose2> T_map_odom_;
   ros::Time sent_;
   ros::Timer timer_;  // for a transform at a fixed rate
