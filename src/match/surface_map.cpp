@@ -6,6 +6,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "cells_along.hpp"
 #include "surface_fit.hpp"
 
 namespace adaptive_localization {
@@ -51,11 +52,7 @@ SurfaceMap::SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segme
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()) / length;
     surfaces_.push_back({(0.5 * (segment.a + segment.b)).cast<float>(), normal.cast<float>(),
                          static_cast<float>(0.5 * length), false});
-    const int steps = static_cast<int>(std::ceil(2.0 * length / lattice_.resolution()));
-    for (int k = 0; k <= steps; ++k) {
-      const Cell cell = lattice_.cellAt(segment.a + along * (static_cast<double>(k) / steps));
-      if (lattice_.contains(cell)) seeds.push_back({cell, index});
-    }
+    forEachCellAlong(lattice_, segment, [&](const Cell& cell) { seeds.push_back({cell, index}); });
   }
   const auto way = [&](const Seed& seed) {  // the last in a cell is the one that counts
     const Surface& surface = surfaces_[seed.surface];
@@ -72,12 +69,13 @@ const Surface* SurfaceMap::hitBy(const Eigen::Vector2d& start, const Eigen::Vect
   const auto column = static_cast<std::int64_t>(cell.x) - first_.x;
   const auto row = static_cast<std::int64_t>(cell.y) - first_.y;
   if (column < 0 || column >= width_ || row < 0 || row >= height_) return nullptr;
-  const auto at = static_cast<std::size_t>(row * width_ + column);
+  const std::size_t at = kLayers * static_cast<std::size_t>(row * width_ + column);
   const Surface* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t layer : {start.x() > hit.x() ? 0U : 1U, start.y() > hit.y() ? 2U : 3U}) {
-    if (labels_[layer].empty()) continue;
-    const Surface& surface = surfaces_[labels_[layer][at]];
+    const std::uint32_t label = labelAt(at + layer);
+    if (label >= surfaces_.size()) continue;
+    const Surface& surface = surfaces_[label];
     const double way = distanceOf(surface, hit);
     if (!surface.faces(start) || !(way < least)) continue;
     best = &surface;
@@ -97,17 +95,25 @@ void SurfaceMap::spread(const std::vector<Seed>& seeds) {
   first_ = {std::max(0, low.x - beyond), std::max(0, low.y - beyond)};
   width_ = std::min(lattice_.width(), high.x + beyond + 1) - first_.x;
   height_ = std::min(lattice_.height(), high.y + beyond + 1) - first_.y;
-  for (std::size_t layer = 0; layer < labels_.size(); ++layer) {
+  const std::size_t size =
+      kLayers * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  const std::size_t none = surfaces_.size();
+  if (none <= std::numeric_limits<std::uint16_t>::max()) {
+    labels_.assign(size, static_cast<std::uint16_t>(none));
+  } else {
+    wide_labels_.assign(size, static_cast<std::uint32_t>(none));
+  }
+  for (std::size_t layer = 0; layer < kLayers; ++layer) {
     std::vector<Seed> some;
     for (const Seed& seed : seeds) {
       if (looksTo(layer, surfaces_[seed.surface])) some.push_back(seed);
     }
-    if (!some.empty()) labels_[layer] = labelsOf(some);
+    if (!some.empty()) label(layer, some);
   }
 }
 
 /// Each cell takes the label of the seed nearest to it (OpenCV's 5 x 5 chamfer distance).
-std::vector<std::uint32_t> SurfaceMap::labelsOf(const std::vector<Seed>& seeds) const {
+void SurfaceMap::label(std::size_t layer, const std::vector<Seed>& seeds) {
   cv::Mat is_empty(height_, width_, CV_8U, cv::Scalar(255)), distances, nearest;
   for (const Seed& seed : seeds) {
     is_empty.at<std::uint8_t>(seed.cell.y - first_.y, seed.cell.x - first_.x) = 0;
@@ -118,10 +124,15 @@ std::vector<std::uint32_t> SurfaceMap::labelsOf(const std::vector<Seed>& seeds) 
     const auto label = nearest.at<std::int32_t>(seed.cell.y - first_.y, seed.cell.x - first_.x);
     surface_of[static_cast<std::size_t>(label)] = seed.surface;
   }
-  const auto* label = nearest.ptr<std::int32_t>();
-  std::vector<std::uint32_t> labels(nearest.total());
-  for (std::uint32_t& surface : labels) surface = surface_of[static_cast<std::size_t>(*label++)];
-  return labels;
+  const auto* seed = nearest.ptr<std::int32_t>();
+  for (std::size_t at = layer; at < kLayers * nearest.total(); at += kLayers) {
+    const std::uint32_t surface = surface_of[static_cast<std::size_t>(*seed++)];
+    if (wide_labels_.empty()) {
+      labels_[at] = static_cast<std::uint16_t>(surface);
+    } else {
+      wide_labels_[at] = surface;
+    }
+  }
 }
 
 }  // namespace adaptive_localization

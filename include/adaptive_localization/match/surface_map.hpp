@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -54,16 +53,22 @@ class SurfaceMap {
     Cell cell;
     std::uint32_t surface;
   };
+  static constexpr std::size_t kLayers = 4;
+
   void spread(const std::vector<Seed>& seeds);
-  std::vector<std::uint32_t> labelsOf(const std::vector<Seed>& seeds) const;
+  void label(std::size_t layer, const std::vector<Seed>& seeds);
+  std::uint32_t labelAt(std::size_t at) const {
+    return wide_labels_.empty() ? labels_[at] : wide_labels_[at];
+  }
 
   Lattice lattice_;
   std::vector<Surface> surfaces_;
   Cell first_{0, 0};  // of the part of the lattice that has labels
   int width_{0}, height_{0};
-  /// Index of the nearest of the surfaces that look to +x, -x, +y and -y, row-major; empty: none
-  /// do.
-  std::array<std::vector<std::uint32_t>, 4> labels_;
+  /// Indices of the nearest of the surfaces that look to +x, -x, +y and -y, cell by cell and
+  /// row-major; one beyond the last surface: none does. Wide ones only where there are many.
+  std::vector<std::uint16_t> labels_;
+  std::vector<std::uint32_t> wide_labels_;
 };
 
 }  // namespace adaptive_localization
