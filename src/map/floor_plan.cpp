@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace adaptive_localization {
@@ -12,8 +13,22 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+const char* const kKeys[] = {"outline",   "wall_thickness", "walls", "solids",
+                             "furniture", "route",          "start"};
+
 [[noreturn]] void reject(const std::string& key, const std::string& expected) {
   throw std::invalid_argument("'" + key + "': expected " + expected);
+}
+
+void rejectUnknownKeys(const YAML::Node& root) {
+  std::string known;
+  for (const char* key : kKeys) known += (known.empty() ? "" : ", ") + std::string(key);
+  for (const auto& entry : root) {
+    const auto key = entry.first.as<std::string>();
+    if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
+      reject(key, "one of " + known);
+    }
+  }
 }
 
 Numbers numbers(const YAML::Node& node, const std::string& key, std::size_t count,
@@ -43,6 +58,17 @@ std::vector<Eigen::Vector2d> points(const YAML::Node& node, const std::string& k
   return result;
 }
 
+/// Twice the area, negative if the corners go round clockwise. m^2
+double doubleArea(const Polygon& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Eigen::Vector2d a = polygon[i - 1] - polygon[0];
+    const Eigen::Vector2d b = polygon[i] - polygon[0];
+    sum += a.x() * b.y() - a.y() * b.x();
+  }
+  return sum;
+}
+
 std::vector<std::vector<Eigen::Vector2d>> lists(const YAML::Node& root, const std::string& key,
                                                 std::size_t at_least) {
   std::vector<std::vector<Eigen::Vector2d>> result;
@@ -53,9 +79,14 @@ std::vector<std::vector<Eigen::Vector2d>> lists(const YAML::Node& root, const st
 }
 
 FloorPlan parse(const YAML::Node& root) {
+  constexpr double kLeastArea = 1e-6;  // m^2
+  if (root.IsMap()) rejectUnknownKeys(root);
   if (!root.IsMap() || !root["outline"]) reject("outline", "a polygon of at least 3 points");
   FloorPlan plan;
   plan.outline = points(root["outline"], "outline", 3);
+  if (!(std::abs(doubleArea(plan.outline)) > kLeastArea)) {
+    reject("outline", "points round an area, not on one line");
+  }
   if (const auto thickness = root["wall_thickness"]) {
     plan.wall_thickness = thickness.as<double>(-1.0);
     if (!(plan.wall_thickness > 0.0 && plan.wall_thickness < 10.0)) {
@@ -84,7 +115,7 @@ FloorPlan loadFloorPlan(const std::string& yaml_file) {
   try {
     return parse(YAML::LoadFile(yaml_file));
   } catch (const std::exception& error) {
-    throw std::invalid_argument("world file '" + yaml_file + "': " + error.what());
+    throw std::invalid_argument("floor plan '" + yaml_file + "': " + error.what());
   }
 }
 

@@ -61,6 +61,32 @@ TEST(FloorPlan, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(errorOf("["), HasSubstr("floor_plan_test.yaml"));
 }
 
+TEST(FloorPlan, RefusesUnknownKeysAndNamesTheKnownOnes) {
+  EXPECT_THAT(errorOf(kOutline + "wall: [[[1, 0], [1, 1]]]\n"),
+              HasSubstr("'wall': expected one of outline, wall_thickness, walls, solids, "
+                        "furniture, route, start"));
+  EXPECT_THAT(errorOf("image: map.pgm\n"), HasSubstr("'image': expected one of outline"));
+  EXPECT_THAT(errorOf(kOutline + "[1, 2]: 3\n"), HasSubstr("floor_plan_test.yaml"));
+}
+
+TEST(FloorPlan, RefusesAnOutlineRoundNothing) {
+  for (const std::string outline :
+       {"[[0, 0], [4, 0], [2, 0]]", "[[0, 0], [0, 0], [0, 0]]", "[[0, 0], [0.1, 0.3], [0.2, 0.6]]",
+        "[[1, 1], [3, 1], [3, 1], [1, 1]]"}) {
+    EXPECT_THAT(errorOf("outline: " + outline),
+                HasSubstr("'outline': expected points round an area"))
+        << outline;
+  }
+  EXPECT_EQ(errorOf("outline: [[0, 3], [4, 0], [0, 0]]"), "no error") << "clockwise";
+}
+
+TEST(FloorPlan, OfAllShippedWorldsIsRead) {
+  for (const std::string name :
+       {"complex", "corridor", "expansion", "maze", "simple", "symmetric", "torus"}) {
+    EXPECT_GT(loadFloorPlan(SOURCE_DIR "/maps/" + name + "/world.yaml").route.size(), 3U) << name;
+  }
+}
+
 TEST(FloorPlan, DamagedFilesAreRefusedOrReadButNeverCrash) {
   std::ostringstream original;
   original << std::ifstream(SOURCE_DIR "/maps/maze/world.yaml").rdbuf();

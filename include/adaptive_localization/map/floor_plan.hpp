@@ -20,7 +20,8 @@ namespace adaptive_localization {
 ///     route: [[1, 1], [6, 3]]                      # way-points of the scripted drive, a loop
 ///     start: [1, 1, 0]                             # x, y, yaw
 ///
-/// Metres and radians in the map frame. Only the outline is required.
+/// Metres and radians in the map frame. Only the outline is required; other keys than these are
+/// refused.
 struct FloorPlan {
   Polygon outline;
   std::vector<Segment> walls;
