@@ -62,7 +62,8 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   if (distance({}, motion) > kJump || std::abs(motion.theta) > kJump) {
     undoJump(before, observations.scan);
   }
-  const bool is_corrected = !anywhere_ && correct(*match_);
+  if (anywhere_ && match_->isGood()) match_->fault = MatchFault::kNoGuess;
+  const bool is_corrected = match_->isGood() && correct();
   if (is_corrected && isUsual(match_->inlier_ratio)) {
     rejected_ = 0;
     candidate_.reset();
@@ -94,14 +95,13 @@ bool EkfIcp::isUsual(double inlier_ratio) {
   return inlier_ratio > kUnusual * usual_;
 }
 
-bool EkfIcp::correct(const Match& match) {
-  if (!match.isGood()) return false;
-  const PoseObservation seen = observationOf(kalman_.mean(), match);
-  if (!(kalman_.distanceOf(seen) < options_.ekf_gate)) {
-    match_->fault = MatchFault::kJump;
-    return false;
-  }
-  return kalman_.correct(seen);
+/// By the match, which is good; says what is wrong with it if not.
+bool EkfIcp::correct() {
+  const PoseObservation seen = observationOf(kalman_.mean(), *match_);
+  const bool is_near = kalman_.distanceOf(seen) < options_.ekf_gate;
+  if (is_near && kalman_.correct(seen)) return true;
+  match_->fault = MatchFault::kJump;
+  return false;
 }
 
 /// From an unknown start the first place that fits will do; otherwise it must fit the next scan

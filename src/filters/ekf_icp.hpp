@@ -71,7 +71,7 @@ class EkfIcp : public Filter {
  private:
   Match matchAt(const Pose2& T_map_base, const Scan& scan) const;
   void undoJump(const Pose2& T_map_base_before, const Scan& scan);
-  bool correct(const Match& match);
+  bool correct();
   bool isUsual(double inlier_ratio);
   void lookAround(const Observations& observations);
   std::optional<Match> matchElsewhere(const Observations& observations);

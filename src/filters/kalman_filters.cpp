@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "adaptive_localization/map/floor_plan.hpp"
 #include "adaptive_localization/match/line_matcher.hpp"
 #include "ekf_icp.hpp"
 #include "elsewhere.hpp"
@@ -26,7 +25,7 @@ MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& conte
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matching(LineMatcher(lines, surfacesOf(loadFloorPlan(options.line_map))));
+  return matching(LineMatcher(lines, loadLineMap(options.line_map, context.map->lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLeastTelling = 2.0;   // hits that a direction needs
 constexpr double kTellingShare = 0.01;  // and as a share of all
+constexpr double kVaguest = 1e3;        // m, what a prior says at the least
 
 }  // namespace
 
@@ -36,16 +37,17 @@ Directions::Directions(const NormalEquations& normal) {
 
 PriorHits::PriorHits(const Pose2& guess, const Eigen::Matrix3d& information, double hit_variance,
                      double lever)
-    : mean(guess) {
+    : mean(guess), is_none(information.isZero(0.0)) {
   const Eigen::DiagonalMatrix<double, 3> scale(1.0, 1.0, 1.0 / lever);
   A = hit_variance * (scale * information * scale);
+  A.diagonal().array() += hit_variance / (kVaguest * kVaguest);
 }
 
 Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever,
                   const PriorHits& prior) {
   const NormalEquations normal(pairs, lever);
   Eigen::Vector3d step;
-  if (prior.isNone()) {
+  if (prior.is_none) {
     const Directions telling(normal);
     const Match::Vector along =
         (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
@@ -53,7 +55,9 @@ Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever,
   } else {
     const Eigen::Vector3d off(from.x - prior.mean.x, from.y - prior.mean.y,
                               lever * wrapAngle(from.theta - prior.mean.theta));
-    step = (normal.A + prior.A).llt().solve(normal.b + prior.A * off);
+    const Eigen::LLT<Eigen::Matrix3d> all(normal.A + prior.A);
+    if (all.info() != Eigen::Success) return from;  // the prior is no information
+    step = all.solve(normal.b + prior.A * off);
   }
   if (!step.allFinite()) return from;
   return {from.x - step.x(), from.y - step.y(), wrapAngle(from.theta - step.z() / lever)};

@@ -25,14 +25,15 @@ struct Directions {
   explicit Directions(const NormalEquations& normal);
 };
 
-/// What is known before, as hits would tell it: information times the variance of a hit.
+/// What is known before, as hits would tell it: information times the variance of a hit. Of no
+/// direction nothing at all, but that it is within a kilometre: with hits it can be solved for.
 struct PriorHits {
   Pose2 mean;
+  bool is_none;
   Eigen::Matrix3d A;
 
   PriorHits(const Pose2& guess, const Eigen::Matrix3d& information, double hit_variance,
             double lever);
-  bool isNone() const { return A.isZero(0.0); }
 };
 
 /// Gauss-Newton: with a prior in all directions, without one in those that hits tell of.

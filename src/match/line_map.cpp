@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "adaptive_localization/map/floor_plan.hpp"
+#include "cells_along.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -82,6 +87,28 @@ class Search {
   const LineOptions& options_;
 };
 
+bool isWithin(const Lattice& lattice, const Segment& segment) {
+  bool is_within = false;
+  forEachCellAlong(lattice, segment, [&](const Cell&) { is_within = true; });
+  return is_within;
+}
+
+std::string toText(const Bounds& bounds) {
+  std::ostringstream text;
+  text << "x from " << bounds.low.x() << " to " << bounds.high.x() << ", y from " << bounds.low.y()
+       << " to " << bounds.high.y() << " m";
+  return text.str();
+}
+
+Bounds extentOf(const Lattice& lattice) {
+  const Pose2& origin = lattice.origin();
+  const double width = lattice.width() * lattice.resolution();
+  const double height = lattice.height() * lattice.resolution();
+  using Point = Eigen::Vector2d;
+  return boundsOf(Polygon{origin * Point(0, 0), origin * Point(width, 0), origin * Point(0, height),
+                          origin * Point(width, height)});
+}
+
 /// Two pieces of one straight wall say the same.
 bool saySame(const LineMatch& a, const LineMatch& b) {
   constexpr double kSame = 1e-3;  // m and rad
@@ -97,6 +124,23 @@ LineMap::LineMap(const std::vector<Segment>& surfaces) {
     const Eigen::Vector2d normal = Eigen::Vector2d(along.y(), -along.x()).normalized();
     lines_.push_back({normal.dot(segment.a), std::atan2(normal.y(), normal.x()), normal, segment});
   }
+}
+
+std::vector<Segment> loadLineMap(const std::string& yaml_file, const Lattice& lattice) {
+  FloorPlan plan;
+  try {
+    plan = loadFloorPlan(yaml_file);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("option 'line_map': " + std::string(error.what()));
+  }
+  std::vector<Segment> surfaces = surfacesOf(plan);
+  const bool is_on_map = std::any_of(surfaces.begin(), surfaces.end(), [&](const Segment& surface) {
+    return isWithin(lattice, surface);
+  });
+  if (is_on_map) return surfaces;
+  throw std::invalid_argument("option 'line_map': floor plan '" + yaml_file +
+                              "': none of its walls (" + toText(boundsOf(plan.outline)) +
+                              ") is on the map, expected some within " + toText(extentOf(lattice)));
 }
 
 Eigen::Vector2d LineMatch::innovationAt(const Pose2& T_map_base) const {

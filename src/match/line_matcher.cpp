@@ -28,6 +28,23 @@ struct Told {
   }
 };
 
+/// The information that lines are looked for with: the prior's, and where it has none of a
+/// direction, that of the reach without one.
+Eigen::Matrix3d knownBefore(const Eigen::Matrix3d& prior) {
+  constexpr double kNothing = 1e-6;  // of the information that the reach has
+  const Eigen::DiagonalMatrix<double, 3> reach(kReach, kReach, kTurn);
+  const Eigen::Matrix3d scaled = reach * prior * reach;
+  if (!scaled.allFinite()) return prior;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+  if (solver.eigenvalues()[0] > kNothing) return prior;
+  const Eigen::Array3d values = solver.eigenvalues();
+  const Eigen::Vector3d mended = (values > kNothing).select(values, 1.0);
+  const Eigen::Matrix3d whole =
+      solver.eigenvectors() * mended.asDiagonal() * solver.eigenvectors().transpose();
+  const Eigen::DiagonalMatrix<double, 3> back(1.0 / kReach, 1.0 / kReach, 1.0 / kTurn);
+  return back * whole * back;
+}
+
 /// Rows over (x, y, theta) with the variance of each, and the step along them.
 void solve(const Told& told, Match& match) {
   if (!told.information.allFinite() || !told.pull.allFinite()) return;
@@ -70,19 +87,14 @@ LineMatcher::LineMatcher(const LineOptions& options, const std::vector<Segment>&
 
 Match LineMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {
   Match match;
-  match.T_map_base = guess;
   match.fits.assign(static_cast<std::size_t>(scan.hits()), 0);
-  if (scan.hits() < kLeastHits) {
-    match.fault = MatchFault::kFewHits;
+  if (isFinite(guess)) match.T_map_base = guess;
+  if (scan.hits() < kLeastHits || !isFinite(guess)) {
+    match.fault = isFinite(guess) ? MatchFault::kFewHits : MatchFault::kNoGuess;
     return match;
   }
   const std::vector<ScanLine> lines = linesOf(scan, options_);
-  const Eigen::Matrix3d known =
-      prior.isZero(0.0)
-          ? Eigen::Matrix3d(Eigen::Vector3d(kReach * kReach, kReach * kReach, kTurn * kTurn)
-                                .cwiseInverse()
-                                .asDiagonal())
-          : prior;
+  const Eigen::Matrix3d known = knownBefore(prior);
   Eigen::Matrix3d covariance = known.inverse();
   std::vector<LineMatch> matches;
   for (int round = 0; round < kRounds; ++round) {

@@ -4,8 +4,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
-#include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/match/line_map.hpp"
 #include "alignment.hpp"
 
 namespace adaptive_localization {
@@ -25,10 +27,22 @@ double way(const Pose2& a, const Pose2& b, double lever) {
   return distance(a, b) + lever * std::abs(wrapAngle(a.theta - b.theta));
 }
 
+/// Turns rows that have this covariance into ones that do not depend on each other.
+void makeIndependent(const Match::Square& covariance, Match& match) {
+  if (match.H.rows() == 0) return;
+  const Eigen::SelfAdjointEigenSolver<Match::Square> solver(covariance);
+  const Match::Square turn = solver.eigenvectors().transpose();
+  match.H = Match::Rows(turn * match.H);
+  match.rest = Match::Vector(turn * match.rest);
+  match.variance = solver.eigenvalues();
+}
+
 }  // namespace
 
 std::string toText(MatchFault fault) {
   switch (fault) {
+    case MatchFault::kNoGuess:
+      return "not known from where to match";
     case MatchFault::kFewHits:
       return "too few hits";
     case MatchFault::kOutliers:
@@ -47,20 +61,26 @@ Eigen::Matrix3d Match::information() const {
 }
 
 ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces)
-    : options_(options), surfaces_(std::move(surfaces)) {}
+    : options_(options), surfaces_(std::move(surfaces)) {
+  if (options_.match_reach >= options_.match_reach_end) return;
+  std::ostringstream message;
+  message << "option 'match_reach': got '" << options_.match_reach
+          << "', expected at least match_reach_end, which is '" << options_.match_reach_end << "'";
+  throw std::invalid_argument(message.str());
+}
 
 ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map) {
   if (options.line_map.empty()) return {options, std::make_shared<const SurfaceMap>(map)};
-  const auto lines = surfacesOf(loadFloorPlan(options.line_map));
+  const auto lines = loadLineMap(options.line_map, map.lattice());
   return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines)};
 }
 
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {
   Match match;
-  match.T_map_base = guess;
   match.fits.assign(static_cast<std::size_t>(scan.hits()), 0);
+  if (isFinite(guess)) match.T_map_base = guess;
   if (scan.hits() < kLeastHits || !isFinite(guess)) {
-    match.fault = MatchFault::kFewHits;
+    match.fault = isFinite(guess) ? MatchFault::kFewHits : MatchFault::kNoGuess;
     return match;
   }
   align(scan, prior, match);
@@ -165,9 +185,13 @@ void ScanMatcher::rate(const Scan& scan, Match& match) const {
   match.H.col(2) *= lever;
   match.variance = variance * telling.hits.cwiseInverse();
   match.rest = -(telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
+  if (options_.match_metric == "point") match.rest.setZero();  // no prior held the pose back
   const Eigen::Vector3d map_std(options_.match_map_std, options_.match_map_std,
                                 options_.match_map_turn_std);
-  match.variance += (match.H * map_std.asDiagonal()).rowwise().squaredNorm();
+  const Match::Rows shared = match.H * map_std.asDiagonal();
+  Match::Square covariance = shared * shared.transpose();
+  covariance.diagonal() += match.variance;
+  makeIndependent(covariance, match);
   if (match.inlier_ratio < options_.match_least_inliers) {
     match.fault = MatchFault::kOutliers;
   } else if (match.H.rows() == 0) {

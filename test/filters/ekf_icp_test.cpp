@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/filters/ekf_icp.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -77,6 +79,42 @@ TEST(EkfIcp, SaysThatPeopleAreAllItSees) {
   const Estimate estimate = filter->update({}, crowdedAt(kPlace, 1.0));
   EXPECT_EQ(filter->match()->fault, MatchFault::kOutliers);
   EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 1e-9, 1e-9));
+}
+
+TEST(EkfIcp, DoesNotBelieveAMatchFarFromWhereOdometrySays) {
+  const auto filter = makeEkf();
+  const Pose2 beside = kPlace * Pose2{0.25, 0.0, 0.0};
+  filter->reset(Gaussian2{beside, Eigen::Vector3d(0.0025, 0.0025, 0.0025).asDiagonal()});
+  const Estimate estimate = filter->update({}, seenAt(kPlace));
+  EXPECT_EQ(filter->match()->fault, MatchFault::kJump);
+  EXPECT_THAT(estimate.T_map_base, PoseNear(beside, 1e-9, 1e-9));
+}
+
+/// A match that is good by chance, of a robot that may be anywhere, is not used: it must say so.
+TEST(EkfIcp, SaysThatItDoesNotKnowFromWhereToMatch) {
+  const auto map = asymmetricWorld();
+  const auto field = std::make_shared<const DistanceField>(*map);
+  int calls = 0;
+  EkfParts parts;
+  parts.motion = makeMotionModel({});
+  parts.match = [&calls](const Pose2& guess, const Scan&, const Eigen::Matrix3d&) {
+    Match match;
+    match.T_map_base = guess;
+    match.H = Eigen::Matrix3d::Identity();
+    match.variance = match.rest = Eigen::Vector3d::Constant(1e-4);
+    match.inlier_ratio = 1.0;
+    if (++calls > 1) match.fault = MatchFault::kOutliers;  // of places that are looked at
+    return match;
+  };
+  parts.places = std::make_shared<Places>(map, field, EnergyGridOptions{}, GlobalSearchOptions{});
+  parts.anywhere = std::make_unique<FreeSpaceSampler>(map);
+  EkfIcp filter({}, std::move(parts), 1);
+  filter.reset(Anywhere{});
+  const Estimate before = filter.estimate();
+  const Estimate after = filter.update({}, seenAt(kPlace));
+  EXPECT_GT(calls, 1);
+  EXPECT_EQ(filter.match()->fault, MatchFault::kNoGuess);
+  EXPECT_THAT(after.T_map_base, PoseNear(before.T_map_base, 1e-9, 1e-9));
 }
 
 TEST(EkfIcp, FindsItselfAgainAfterOdometryJumpedByAMetre) {

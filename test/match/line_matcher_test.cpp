@@ -100,10 +100,21 @@ TEST(LineMatcher, SaysWhyNothingIsMatched) {
   const LineMatcher matcher({}, room());
   Rng rng(5);
   const Scan scan = ToyLaser{}.scan({2, 2, 0}, room(), rng);
+  EXPECT_EQ(matcher.match({2, 2, 0}, scan).fault, MatchFault::kNone);
   EXPECT_EQ(matcher.match({2, 2, 0}, Scan{}).fault, MatchFault::kFewHits);
   EXPECT_EQ(matcher.match({3, 3, 1}, scan).fault, MatchFault::kOutliers);
   EXPECT_EQ(LineMatcher({}, {}).match({2, 2, 0}, scan).fault, MatchFault::kOutliers);
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Pose2& guess : {Pose2{nan, 2, 0}, Pose2{2, 2, nan}}) {
+    const Match match = matcher.match(guess, scan);
+    EXPECT_EQ(match.fault, MatchFault::kNoGuess);
+    EXPECT_TRUE(isFinite(match.T_map_base));
+  }
+  LineOptions vague;
+  vague.line_map_std = 2.0;
+  vague.line_map_turn_std = 1.0;
+  const Match told = LineMatcher(vague, room()).match({2, 2, 0}, scan);
+  EXPECT_EQ(told.fault, MatchFault::kSingular) << "walls that may be anywhere";
   for (const Eigen::Matrix3d& prior :
        {Eigen::Matrix3d(Eigen::Matrix3d::Constant(nan)), Eigen::Matrix3d(Eigen::Matrix3d::Ones()),
         Eigen::Matrix3d(-Eigen::Matrix3d::Identity())}) {
@@ -111,6 +122,25 @@ TEST(LineMatcher, SaysWhyNothingIsMatched) {
     EXPECT_TRUE(isFinite(match.T_map_base));
     EXPECT_TRUE(match.H.allFinite() && match.variance.allFinite());
   }
+}
+
+/// Where a prior tells nothing of a direction, lines are looked for as they are without one.
+TEST(LineMatcher, APriorOfSomeDirectionsIsEnough) {
+  const LineMatcher matcher(exactly(1e-4), room());
+  Rng rng(6);
+  const Pose2 pose{2, 2, 0.2};
+  const Scan scan = ToyLaser{}.scan(pose, room(), rng);
+  for (const Eigen::Vector3d& diagonal :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(100, 100, 0), Eigen::Vector3d(0, 0, 100),
+        Eigen::Vector3d(0, 100, 0), Eigen::Vector3d(100, -1e-9, 100)}) {
+    const Eigen::Matrix3d prior = diagonal.asDiagonal();
+    const Match match = matcher.match({2.05, 1.95, 0.22}, scan, prior);
+    ASSERT_TRUE(match.isGood()) << diagonal.transpose() << ": " << toText(match.fault);
+    EXPECT_THAT(match.T_map_base, PoseNear(pose, 1e-4, 1e-4)) << diagonal.transpose();
+  }
+  const Eigen::Vector3d slanted(1, 1, 0);
+  const Eigen::Matrix3d prior = 100 * slanted * slanted.transpose();
+  EXPECT_TRUE(matcher.match({2.05, 1.95, 0.22}, scan, prior).isGood());
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
+#include "adaptive_localization/map/lattice.hpp"
 #include "adaptive_localization/map/polygon.hpp"
 #include "adaptive_localization/match/line_features.hpp"
 #include "adaptive_localization/pose2.hpp"
@@ -31,6 +33,11 @@ class LineMap {
  private:
   std::vector<MapLine> lines_;
 };
+
+/// The surfaces of the floor plan that the option line_map names. Throws std::invalid_argument
+/// naming option, file and what was expected, also where none of them is within the map's lattice:
+/// the plan is in another frame, then, or of another building.
+std::vector<Segment> loadLineMap(const std::string& yaml_file, const Lattice& lattice);
 
 /// A line of the scan recognised as one of the map: a measurement z = (rho, alpha) in base of
 ///

@@ -19,15 +19,15 @@ namespace adaptive_localization {
 /// and as exact; where little of a scan is straight, hits tell more.
 ///
 /// Units m and rad, poses of base in map. Never throws, and never returns what is not finite, for
-/// whatever scan.
+/// whatever scan and guess.
 class LineMatcher {
  public:
   /// Segments with free space on the left of a -> b, as surfacesOf() gives them.
   LineMatcher(const LineOptions& options, const std::vector<Segment>& surfaces);
 
   /// The prior is the information over (x, y, theta) that the guess has, in which lines are looked
-  /// for; of none, lines are looked for within 0.3 m and 0.15 rad. The pose found is that of the
-  /// lines alone.
+  /// for; along directions of which it has none, they are within 0.3 m and 0.15 rad. The pose found
+  /// is that of the lines alone.
   Match match(const Pose2& guess, const Scan& scan,
               const Eigen::Matrix3d& prior = Eigen::Matrix3d::Zero()) const;
 

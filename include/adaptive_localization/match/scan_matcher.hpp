@@ -70,8 +70,8 @@ struct MatchOptions {
   }
 };
 
-/// Why a match tells nothing.
-enum class MatchFault { kNone, kFewHits, kOutliers, kSingular, kJump };
+/// Why a match tells nothing. Not known from where to match: the guess is not finite, or none.
+enum class MatchFault { kNone, kNoGuess, kFewHits, kOutliers, kSingular, kJump };
 std::string toText(MatchFault fault);
 
 /// A scan aligned with the map: the pose, and what the scan tells of it. Each row h of H is a
@@ -80,11 +80,12 @@ std::string toText(MatchFault fault);
 struct Match {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
   Pose2 T_map_base;
   Rows H{0, 3};
   Vector variance{0};
-  Vector rest{0};  // how much further the scan would go without the prior; 0 if there was none
+  Vector rest{0};  // how much further the scan would go without the prior; about 0 without one
   double mean_distance{0.0};  // m, of the hits that fit
   double inlier_ratio{0.0};   // share of the hits that fit
   int iterations{0};
@@ -109,17 +110,21 @@ struct Match {
 /// (n, n . dR p), sigma^2 the larger of that of a beam at right angles and what the hits show;
 /// where the eigenvalues say that hardly a hit tells of a direction, the pose is left as it was
 /// guessed along it, and the information is 0. The information is that of point-to-line for either
-/// metric: that of point-to-point would ignore that pairs change (Bonnabel et al. 2016).
+/// metric: that of point-to-point would ignore that pairs change (Bonnabel et al. 2016). What all
+/// hits have in common, the map's own error with its covariance M, is added to the covariance C of
+/// the rows, C + H M H^T; rows are then turned into its eigenvectors.
 ///
-/// Units m and rad, poses of base in map. Never throws, and never returns what is not finite, for
-/// whatever scan.
+/// Units m and rad, poses of base in map. Matching never throws, and never returns what is not
+/// finite, for whatever scan and guess.
 class ScanMatcher {
  public:
+  /// Throws std::invalid_argument if match_reach is less than match_reach_end.
   ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces);
 
   /// The pose near a guess that fits the scan. With a prior, the information over (x, y, theta)
-  /// that the guess has, the sum above / sigma^2 and the guess's Mahalanobis distance are made
-  /// small together: the step of an iterated Kalman filter (Bell and Cathey 1993).
+  /// that the guess has, which may be singular, lines make the sum above / sigma^2 and the guess's
+  /// Mahalanobis distance small together: the step of an iterated Kalman filter (Bell and Cathey
+  /// 1993). Points know no prior: their pose is that of the scan alone.
   Match match(const Pose2& guess, const Scan& scan,
               const Eigen::Matrix3d& prior = Eigen::Matrix3d::Zero()) const;
 
@@ -136,7 +141,7 @@ class ScanMatcher {
 };
 
 /// On the surfaces of a map, or of the floor plan that the options name. Throws
-/// std::invalid_argument naming the file and what is wrong with it.
+/// std::invalid_argument naming the option and what is wrong with it.
 ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map);
 
 }  // namespace adaptive_localization
