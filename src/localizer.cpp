@@ -146,9 +146,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   if (first || update_requested_ || gateOpens(motion, observations)) {
     updateFilter(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
-    if (isCorrection(last_.T_map_odom * T_odom_base)) {
-      last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
-    }
+    last_.T_map_odom = corrected(last_.T_map_odom * T_odom_base) * inverse(T_odom_base);
     update_requested_ = false;
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;

@@ -109,6 +109,17 @@ bool Localizer::isCorrection(const Pose2& T_map_base_by_odometry) const {
          rivals_->shareOf(last_.estimate.T_map_base) > kLikely;
 }
 
+/// Where the filter is; or, as long as that is no reason to jump, where odometry says and, with
+/// several places to choose from, what scans make of that.
+Pose2 Localizer::corrected(const Pose2& T_map_base_by_odometry) const {
+  if (isCorrection(T_map_base_by_odometry)) return last_.estimate.T_map_base;
+  if (last_.status != Status::kAmbiguous) return T_map_base_by_odometry;
+  for (const Mode& mode : rivals_->modes()) {
+    if (areSamePlace(mode.T_map_base, T_map_base_by_odometry)) return mode.T_map_base;
+  }
+  return T_map_base_by_odometry;
+}
+
 /// Moves the filter to the places that are left, once they rule out its own.
 void Localizer::relocalize() {
   if (!setup_.options.relocalize || rivals_->contradictions() < kLostScans) return;

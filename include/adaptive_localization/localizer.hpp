@@ -153,6 +153,7 @@ class Localizer {
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry) const;
+  Pose2 corrected(const Pose2& T_map_base_by_odometry) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   void relocalize();
   void refine(const Observations& observations);

@@ -46,7 +46,7 @@ double PlaceRefiner::misfit(const Pose2& T_map_base) const {
     const double x = scan_.x[i];
     const double y = scan_.y[i];
     const Eigen::Vector2d hit(T_map_base.x + c * x - s * y, T_map_base.y + s * x + c * y);
-    sum += std::min(field_.at(hit), truncation_);
+    sum += std::min(field_.between(hit), truncation_);
   }
   return sum;
 }

@@ -120,11 +120,13 @@ void Rivals::observe(const Pose2& motion, const Pose2& T_map_base,
   conclude(T_map_base);
 }
 
+/// Hits can be drawn to the far side of a thin wall: ranges tell.
 void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) const {
   const Place place = refiner.refine(hypothesis.T_map_base, kStiffness);
-  if (areSamePlace(place.T_map_base, hypothesis.T_map_base)) {
-    hypothesis.T_map_base = place.T_map_base;
-  }
+  hypothesis.error = refiner.error(hypothesis.T_map_base);
+  if (place.error > hypothesis.error) return;
+  if (!areSamePlace(place.T_map_base, hypothesis.T_map_base)) return;
+  hypothesis.T_map_base = place.T_map_base;
   hypothesis.error = place.error;
 }
 

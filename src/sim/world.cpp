@@ -80,7 +80,7 @@ class GridWorld final : public World {
   double clearance(const Eigen::Vector2d& point, double cap) const override {
     if (!lattice_.contains(lattice_.cellAt(point))) return 0.0;
     // To the nearest solid cell's centre; its side is half a cell nearer.
-    return std::min(std::max(interpolate(point) - lattice_.resolution() / 2.0, 0.0), cap);
+    return std::min(std::max(field_.between(point) - lattice_.resolution() / 2.0, 0.0), cap);
   }
 
   Bounds bounds() const override {
@@ -93,22 +93,6 @@ class GridWorld final : public World {
   }
 
  private:
-  /// The field between the four centres around a point, so that it does not jump at cells' borders.
-  double interpolate(const Eigen::Vector2d& point) const {
-    const Pose2 local = lattice_.toLattice({point.x(), point.y(), 0.0});
-    const double x = local.x / lattice_.resolution() - 0.5;
-    const double y = local.y / lattice_.resolution() - 0.5;
-    const int column = static_cast<int>(std::floor(x));
-    const int row = static_cast<int>(std::floor(y));
-    const auto at = [&](int dx, int dy) {
-      return field_.at(Cell{std::min(std::max(column + dx, 0), lattice_.width() - 1),
-                            std::min(std::max(row + dy, 0), lattice_.height() - 1)});
-    };
-    const double below = at(0, 0) + (x - column) * (at(1, 0) - at(0, 0));
-    const double above = at(0, 1) + (x - column) * (at(1, 1) - at(0, 1));
-    return below + (y - row) * (above - below);
-  }
-
   Lattice lattice_;
   RayCaster caster_;
   DistanceField field_;

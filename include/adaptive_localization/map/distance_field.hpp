@@ -25,6 +25,9 @@ class DistanceField {
   }
   double at(const Eigen::Vector2d& point_map) const { return at(lattice_.cellAt(point_map)); }
 
+  /// The same between the four centres around a point, so that it does not jump where cells meet.
+  double between(const Eigen::Vector2d& point_map) const;
+
   /// The stored steps, row-major, and how many metres one is.
   const std::vector<std::uint16_t>& steps() const { return steps_; }
   double metresPerStep() const { return step_; }
