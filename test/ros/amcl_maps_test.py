@@ -18,7 +18,7 @@ class AmclMaps(ToyRobotCase):
             self.wait_for_log("Initial pose (%.3f" % pose[0])
         self.maps.publish(room(frame="attic"))
         self.wait_for_log("The map's frame is 'attic', but global_frame_id is 'map'")
-        self.wait_for_log("Map of 164 x 124 cells")
+        self.wait_for_log("Map of 165 x 125 cells")
 
         self.steps(5)
         self.assertGreater(len(self.poses), 0)

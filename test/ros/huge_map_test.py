@@ -27,7 +27,7 @@ class HugeMap(ToyRobotCase):
     def test_transforms_go_on_while_a_map_is_prepared(self):
         huge = huge_room()
         self.maps.publish(room())
-        self.wait_for_log("Map of 164 x 124 cells")
+        self.wait_for_log("Map of 165 x 125 cells")
         self.initial_poses.publish(initial_pose(*self.pose))
         self.wait_for_log("Initial pose (%.3f" % self.pose[0])
         self.steps(5)

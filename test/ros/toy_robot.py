@@ -22,14 +22,14 @@ def inside(x, y):
 
 
 def room(frame="map"):
-    """The room with a wall of two cells all round."""
+    """The room with walls in the middle of cells."""
     grid = OccupancyGrid()
     grid.header.frame_id = frame
-    grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, 164, 124
-    grid.info.origin.position.x = grid.info.origin.position.y = -2 * RESOLUTION
+    grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, 165, 125
+    grid.info.origin.position.x = grid.info.origin.position.y = -2.5 * RESOLUTION
     grid.info.origin.orientation.w = 1.0
-    grid.data = [0 if inside((i - 1.5) * RESOLUTION, (j - 1.5) * RESOLUTION) else 100
-                 for j in range(124) for i in range(164)]
+    grid.data = [0 if inside((i - 2) * RESOLUTION, (j - 2) * RESOLUTION) else 100
+                 for j in range(125) for i in range(165)]
     return grid
 
 
