@@ -17,10 +17,21 @@ namespace {
                               expected);
 }
 
-std::string toText(const Range& range) {
+/// What a number in a range is called.
+std::string numberIn(const Range& range, const std::string& unit) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::ostringstream text;
-  text << "in [" << range.low << ", " << range.high << "]";
-  return text.str();
+  text.precision(10);
+  if (range.high < kInfinity) {
+    text << "number in [" << range.low << ", " << range.high << "]";
+  } else if (range.low == kPositive.low) {
+    text << "finite number > 0";
+  } else {
+    text << "finite number";
+    if (range.low > -kInfinity) text << " >= " << range.low;
+  }
+  const bool is_bounded = range.low > -kInfinity || range.high < kInfinity;
+  return text.str() + (unit.empty() ? "" : (is_bounded ? " " : ", ") + unit);
 }
 
 std::string join(const Choices& choices) {
@@ -100,17 +111,17 @@ void Parameters::readOne(const std::string& key, bool& value, const std::string&
   }
 }
 
-void Parameters::readOne(const std::string& key, int& value, const Range& range, const std::string&,
-                         const std::string&) const {
+void Parameters::readOne(const std::string& key, int& value, const Range& range,
+                         const std::string& unit, const std::string&) const {
+  constexpr double kMost = std::numeric_limits<int>::max();
   const OptionValue* given = find(key);
   if (!given) return;
   double number = std::nan("");
   if (const auto* whole = std::get_if<int>(given)) number = *whole;
   if (const auto* real = std::get_if<double>(given)) number = *real;
-  const bool is_int =
-      std::abs(number) <= std::numeric_limits<int>::max() && std::nearbyint(number) == number;
-  if (!is_int || number < range.low || number > range.high) {
-    reject(key, *given, "a whole number " + toText(range));
+  const Range ints{std::ceil(std::max(range.low, -kMost)), std::min(range.high, kMost)};
+  if (!(number >= ints.low && number <= ints.high) || std::nearbyint(number) != number) {
+    reject(key, *given, "a whole " + numberIn(ints, unit));
   }
   value = static_cast<int>(number);
 }
@@ -123,7 +134,7 @@ void Parameters::readOne(const std::string& key, double& value, const Range& ran
   if (const auto* whole = std::get_if<int>(given)) number = *whole;
   if (const auto* real = std::get_if<double>(given)) number = *real;
   if (!std::isfinite(number) || number < range.low || number > range.high) {
-    reject(key, *given, "a number " + toText(range) + (unit.empty() ? "" : " " + unit));
+    reject(key, *given, "a " + numberIn(range, unit));
   }
   value = number;
 }

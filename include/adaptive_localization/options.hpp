@@ -10,7 +10,7 @@
 
 namespace adaptive_localization {
 
-/// The range an option's value must lie in, both ends included.
+/// The range an option's value must lie in, both ends included but for infinite ones.
 struct Range {
   double low{-std::numeric_limits<double>::infinity()};
   double high{std::numeric_limits<double>::infinity()};
