@@ -112,7 +112,7 @@ TEST_F(EnergyGridProgram, NamesWhatIsWrong) {
   expectError(run({}, "/does/not/exist.yaml"), "'/does/not/exist.yaml'");
   expectError(run({"--beams", "0"}),
               "'energy_beams': got '0', expected a whole number in [1, 180]");
-  expectError(run({"--max-range", "far"}), "'energy_max_range': got 'far', expected a finite number");
+  expectError(run({"--max-range", "far"}), "'energy_max_range': got 'far', expected a number");
   expectError(run({"--query", "-5,0,0"}), "--query: that is not on free ground of ");
   expectError(run({"--png", "/does/not/exist.png"}), "picture '/does/not/exist.png'");
   expectError(run({"--png", file("picture")}), "expected a name like x.png");

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "adaptive_localization/eval/log.hpp"
 #include "support/program.hpp"
@@ -31,22 +32,22 @@ void PrintTo(const Drive& drive, std::ostream* output) {
   *output << drive.log;
 }
 
-// The errors that the filter must stay below; the references are good to 2 to 5 cm.
+// The errors that filters must stay below; the references are good to 2 to 5 cm.
 const Drive kDrives[] = {
     {"intel", "intel.bag", "map_w1.yaml", 976053311.182277, 976053560.473733, "--truth-topic",
-     "/reference_pose", 0.06},
+     "/reference_pose", 0.03},
     {"fr079", "fr079.bag", "map_w1.yaml", 1211.520329, 1349.370669, "--truth-topic",
-     "/reference_pose", 0.06},
+     "/reference_pose", 0.03},
     {"aces", "aces.bag", "map_w2.yaml", 2141.730099, 2223.1801, "--truth-topic", "/reference_pose",
-     0.08},
+     0.045},
     {"p3dx_birmingham", "trace0_clean.bag", "newlowerground.yaml", 0.0, 2e9, "--truth",
      "trace0_reference.tum", 0.08},
 };
 
-class RecordedDrive : public testing::TestWithParam<Drive> {};
+class RecordedDrive : public testing::TestWithParam<std::tuple<Drive, const char*>> {};
 
 TEST_P(RecordedDrive, IsFollowed) {
-  const Drive& drive = GetParam();
+  const auto& [drive, filter] = GetParam();
   const std::string folder = dataFolder() + "/" + drive.folder + "/";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recorded data in " << folder;
   const bool is_file = std::string(drive.reference).find('.') != std::string::npos;
@@ -55,7 +56,7 @@ TEST_P(RecordedDrive, IsFollowed) {
       runProgram(REPLAY, {"--map", folder + drive.map, "--log", folder + drive.log, "--begin",
                           std::to_string(drive.begin), "--end", std::to_string(drive.end),
                           drive.reference_argument, (is_file ? folder : "") + drive.reference,
-                          "--filter", "kld", "--seed", "1", "--json", results.file("o.json")});
+                          "--filter", filter, "--seed", "1", "--json", results.file("o.json")});
   if (result.errors.find("built without rosbag") != std::string::npos) {
     GTEST_SKIP() << result.errors;
   }
@@ -67,8 +68,13 @@ TEST_P(RecordedDrive, IsFollowed) {
   EXPECT_LT(json.at("ate_rmse_m"), drive.most_error) << result.output;
 }
 
-INSTANTIATE_TEST_SUITE_P(RecordedData, RecordedDrive, testing::ValuesIn(kDrives),
-                         [](const auto& drive) { return std::string(drive.param.folder); });
+INSTANTIATE_TEST_SUITE_P(RecordedData, RecordedDrive,
+                         testing::Combine(testing::ValuesIn(kDrives),
+                                          testing::Values("kld", "ekf_icp")),
+                         [](const auto& about) {
+                           return std::string(std::get<0>(about.param).folder) + "_" +
+                                  std::get<1>(about.param);
+                         });
 
 Log readWholeLog(const std::string& file) {
   LogRequest request;
