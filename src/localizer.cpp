@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
+#include "estimate_refiner.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -43,8 +44,12 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   Rivals rivals(setup.rivals, ground.map, ground.distance_field, ground.places);
   if (rivals_) rivals.goOnFrom(*rivals_);
 
-  std::optional<ScanMatcher> matcher;
-  if (setup.options.refine) matcher = makeScanMatcher(setup.match, *ground.map);
+  std::unique_ptr<EstimateRefiner> refiner;
+  if (setup.options.refine) {
+    refiner =
+        std::make_unique<EstimateRefiner>(makeScanMatcher(setup.match, *ground.map),
+                                          makeMotionModel(setup.parameters.read<MotionOptions>()));
+  }
 
   setThreads(setup.options.threads);
   setup_ = std::move(setup);
@@ -53,8 +58,14 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   filter_ = std::move(filter);
   confidence_.emplace(confidence);
   rivals_.emplace(std::move(rivals));
-  matcher_ = std::move(matcher);
-  match_.reset();
+  refiner_ = std::move(refiner);
+}
+
+Localizer::~Localizer() = default;
+
+const Match* Localizer::match() const {
+  const Match* own = refiner_ ? refiner_->match() : nullptr;
+  return own ? own : filter_->match();
 }
 
 void Localizer::configure(const Parameters& parameters) {
@@ -85,6 +96,7 @@ void Localizer::reset(const Prior& prior) {
                                 ", expected at least one, and finite numbers");
   }
   filter_->reset(prior);
+  if (refiner_) refiner_->reset();
   confidence_->reset();
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
@@ -156,7 +168,8 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   last_.estimate = filter_->update(motion, observations);
-  refine(observations);
+  if (refiner_ && !filter_->match())
+    last_.estimate = refiner_->refine(last_.estimate, motion, observations.scan);
   confidence_->observe(last_.estimate, observations);
   rivals_->observe(motion, last_.estimate.T_map_base, observations);
   checkWhatWasTold(motion, observations);

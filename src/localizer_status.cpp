@@ -13,43 +13,6 @@ constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
 
-bool isNarrow(const Estimate& estimate) {
-  constexpr double kStd = 0.2;  // m
-  return estimate.covariance.topLeftCorner<2, 2>().trace() < kStd * kStd;
-}
-
-/// What a filter says, and a few centimetres: clouds are narrower than they are right.
-Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
-  constexpr double kStd = 0.05;  // m, and as much in rad
-  covariance.diagonal().array() += kStd * kStd;
-  return covariance;
-}
-
-/// Whether a match is still of the place that a filter means.
-bool isNear(const Estimate& estimate, const Pose2& matched) {
-  constexpr double kGate = 11.34;  // 99 % of a chi-square variable with 3 degrees of freedom
-  const Pose2& pose = estimate.T_map_base;
-  const Eigen::Vector3d off(matched.x - pose.x, matched.y - pose.y,
-                            wrapAngle(matched.theta - pose.theta));
-  return off.dot(loosened(estimate.covariance).llt().solve(off)) < kGate;
-}
-
-/// The matched pose, as sure as the match is where it tells something and as the filter elsewhere:
-///
-///     P = H+ R H+^T + N P N^T,   N = I - H+ H,   H+ the pseudo-inverse of H
-Estimate refined(Estimate estimate, const Match& match) {
-  const Match::Rows& H = match.H;
-  const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> inverse =
-      H.transpose() * (H * H.transpose()).inverse();
-  const Eigen::Matrix3d N = Eigen::Matrix3d::Identity() - inverse * H;
-  estimate.covariance = inverse * match.variance.asDiagonal() * inverse.transpose() +
-                        N * estimate.covariance * N.transpose();
-  estimate.T_map_base = match.T_map_base;
-  estimate.modes.front().T_map_base = estimate.T_map_base;
-  estimate.modes.front().covariance = estimate.covariance;
-  return estimate;
-}
-
 /// Particles around places, as many around each as its mass says.
 Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
   Particles particles(count);
@@ -127,19 +90,6 @@ void Localizer::relocalize() {
   Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++relocalizations_);
   filter_->reset(Prior(drawFrom(rivals_->modes(), kParticles, rng)));
   last_.estimate = filter_->estimate();
-}
-
-/// A filter that matches scans itself needs no help; where a cloud is wide, a match may find
-/// anything.
-void Localizer::refine(const Observations& observations) {
-  match_.reset();
-  if (!matcher_ || filter_->match() || !isNarrow(last_.estimate)) return;
-  const Eigen::Matrix3d prior = loosened(last_.estimate.covariance).inverse();
-  match_ = matcher_->match(last_.estimate.T_map_base, observations.scan, prior);
-  if (match_->isGood() && !isNear(last_.estimate, match_->T_map_base)) {
-    match_->fault = MatchFault::kJump;
-  }
-  if (match_->isGood()) last_.estimate = refined(last_.estimate, *match_);
 }
 
 /// Where scans contradict the map, or the filter jumps, other places are worth a thought.

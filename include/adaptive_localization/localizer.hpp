@@ -15,6 +15,8 @@
 
 namespace adaptive_localization {
 
+class EstimateRefiner;
+
 /// What is known of the robot's place, in a word.
 enum class Status { kUninitialised, kGlobalizing, kTracking, kAmbiguous, kLost };
 std::string toText(Status status);
@@ -73,6 +75,7 @@ class Localizer {
   Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
             std::shared_ptr<const DistanceField> distance_field = nullptr,
             std::shared_ptr<Places> places = nullptr);
+  ~Localizer();
 
   /// Other options from now on, all of them: what is not given takes its default. The belief goes
   /// on, whichever filter is named, and so do gate, correction, confidence and status.
@@ -111,7 +114,7 @@ class Localizer {
 
   /// How the last scan was aligned with the map, by the filter or to refine its estimate; null
   /// where nobody does.
-  const Match* match() const { return match_ ? &*match_ : filter_->match(); }
+  const Match* match() const;
 
   const ScanOptions& scanOptions() const { return setup_.scan; }
   const LocalizerOptions& options() const { return setup_.options; }
@@ -156,7 +159,6 @@ class Localizer {
   Pose2 corrected(const Pose2& T_map_base_by_odometry) const;
   void updateFilter(const Pose2& motion, const Observations& observations);
   void relocalize();
-  void refine(const Observations& observations);
   bool isDoubtful(const Pose2& T_map_base_expected) const;
   void checkWhatWasTold(const Pose2& motion, const Observations& observations);
   Status judge() const;
@@ -168,8 +170,7 @@ class Localizer {
   std::unique_ptr<Filter> filter_;
   std::optional<Confidence> confidence_;
   std::optional<Rivals> rivals_;
-  std::optional<ScanMatcher> matcher_;  // if estimates are to be refined
-  std::optional<Match> match_;
+  std::unique_ptr<EstimateRefiner> refiner_;  // if estimates are to be refined
 
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};
