@@ -29,6 +29,21 @@ Eigen::ArrayXXd columnsOf(const Particles& particles) {
   return columns;
 }
 
+Eigen::ArrayXXd columnsAround(double heading, const Particles& particles) {
+  Eigen::ArrayXXd columns = columnsOf(particles);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    columns(i, 2) = heading + wrapAngle(columns(i, 2) - heading);
+  }
+  return columns;
+}
+
+Eigen::ArrayXXd thinned(const Eigen::ArrayXXd& rows, Eigen::Index count) {
+  if (count >= rows.rows()) return rows;
+  Eigen::ArrayXXd some(count, rows.cols());
+  for (Eigen::Index i = 0; i < count; ++i) some.row(i) = rows.row(i * rows.rows() / count);
+  return some;
+}
+
 Particles particlesOf(const Swarm& swarm) {
   Particles bats(swarm.size());
   for (Eigen::Index i = 0; i < swarm.size(); ++i) {

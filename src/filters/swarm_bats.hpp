@@ -9,6 +9,13 @@ namespace adaptive_localization {
 /// Poses in the rows of x, y, heading.
 Eigen::ArrayXXd columnsOf(const Particles& particles);
 
+/// The same with headings within half a turn of this one, so that a cloud about pi is no wider than
+/// it is anywhere else.
+Eigen::ArrayXXd columnsAround(double heading, const Particles& particles);
+
+/// So many of the rows, evenly spread; all of them if there are no more.
+Eigen::ArrayXXd thinned(const Eigen::ArrayXXd& rows, Eigen::Index count);
+
 /// Each bat where it is and as likely as its cost says.
 Particles particlesOf(const Swarm& swarm);
 

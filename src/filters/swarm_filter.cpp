@@ -102,7 +102,7 @@ void SwarmFilter::ride(const Pose2& motion) {
     for (Mode& mode : *modes) {
       PoseKalman belief = beliefOf(mode);
       belief.predict(motion, noise);
-      mode.T_map_base = parts_.fixer->inMap(belief.mean());
+      mode.T_map_base = belief.mean();
       mode.covariance = belief.covariance();
     }
   }
@@ -130,8 +130,9 @@ bool SwarmFilter::explains(double cost) const {
 /// Bats near where odometry says the robot is, or in the places that they are in.
 SwarmFix SwarmFilter::lookHere(const Observations& observations) {
   if (!is_undecided_) {
-    const Gaussian2 odometry{estimate_.T_map_base, cloudCovariance(kCloudXy, kCloudTheta)};
-    bats_ = drawCloud(odometry, options_.swarm_size, rng_);
+    const Gaussian2 odometry{estimate_.T_map_base, estimate_.covariance};
+    const Gaussian2 wider{odometry.mean, cloudCovariance(kCloudXy, kCloudTheta)};
+    bats_ = drawCloud(wider, options_.swarm_size, rng_);
     return parts_.fixer->fixNear(odometry, bats_, *parts_.move, observations, rng_);
   }
   const Eigen::ArrayXd weights = normalisedWeights(bats_.log_weight);
@@ -175,14 +176,16 @@ bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observation
   return ++strange_ < options_.swarm_confirm_scans;
 }
 
-/// A fix that is fused is an observation of the pose; otherwise, or if odometry cannot explain it,
-/// it is where the robot is.
+/// A fix that is fused is an observation of the pose; otherwise, or if odometry cannot explain it
+/// or was weighed in already, it is where the robot is.
 void SwarmFilter::take(const SwarmFix& fix, bool is_fused) {
   bats_ = fix.bats;
   leaders_ = fix.leaders;
   is_undecided_ = hasSecondPlace(fix.estimate);
   Mode start = fix.estimate.modes.front();
-  if (is_fused && !is_undecided_ && strange_ == 0) {
+  const bool is_news = fix.match || !fix.has_odometry;
+  const bool starts_from_odometry = is_fused && !is_undecided_ && strange_ == 0 && is_news;
+  if (starts_from_odometry) {
     start = estimate_.modes.front();
   } else if (fix.match) {
     start.T_map_base = fix.match->T_map_base;
@@ -191,8 +194,8 @@ void SwarmFilter::take(const SwarmFix& fix, bool is_fused) {
   strange_ = 0;
   is_fix_asked_ = false;
   PoseKalman belief = beliefOf(start);
-  if (fix.match || is_fused) belief.correct(observationOf(start.T_map_base, fix));
-  const Estimate one = oneMode(parts_.fixer->inMap(belief.mean()), belief.covariance());
+  if (fix.match || starts_from_odometry) belief.correct(observationOf(start.T_map_base, fix));
+  const Estimate one = oneMode(belief.mean(), belief.covariance());
   if (is_undecided_) {
     estimate_ = fix.estimate;
     estimate_.modes.front() = one.modes.front();

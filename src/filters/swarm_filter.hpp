@@ -25,12 +25,15 @@ struct SwarmFilterOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("swarm_size", swarm_size, Range{2, 1000000}, "", "Searchers in the swarm.");
+    option("swarm_size", swarm_size, Range{2, 1000000}, "",
+           "Searchers in the swarm, as far as the budget goes.");
     option("swarm_fix_deviation", swarm_fix_deviation, kNotNegative, "m",
            "The swarm looks for the robot once the position's standard deviation by odometry is "
            "above this, or a scan is not explained; 0: at every update.");
-    option("swarm_explained", swarm_explained, kPositive, "m, 1",
-           "A place does not explain a scan if its cost is above this.");
+    option(
+        "swarm_explained", swarm_explained, kPositive, "m, 1",
+        "A place does not explain a scan if its cost is above this: m, or a share of the range, as "
+        "swarm_error says.");
     option(
         "swarm_unusual", swarm_unusual, kNotNegative, "",
         "Nor does it if its cost is this many times the usual one; 0: never mind what is usual.");
@@ -63,7 +66,9 @@ struct SwarmFilterParts {
 class SwarmFilter : public Filter {
  public:
   SwarmFilter(const SwarmFilterOptions& options, SwarmFilterParts parts, std::uint64_t seed)
-      : options_(options), parts_(std::move(parts)), rng_(seed) {}
+      : options_(options), parts_(std::move(parts)), rng_(seed) {
+    options_.swarm_size = parts_.fixer->affordable(options_.swarm_size);
+  }
 
   void reset(const Prior& prior) override;
   Estimate update(const Pose2& motion, const Observations& observations) override;

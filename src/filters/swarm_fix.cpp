@@ -12,13 +12,27 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kCastPrice = 30.0;  // look-ups that a ray is worth
 constexpr double kAstray =
     1.5;  // a match whose cost is so many times larger, and more, went astray
 constexpr double kHitTruncation = 0.3;  // m
 constexpr double kAstrayMore = 0.03;    // m, 1
 constexpr int kNearIterations = 12;     // a narrow cloud needs no more
 constexpr int kNearPatience = 2;
+
+/// Twice as wide as the positions are, headings not wrapped, but no wider than a turn.
+SearchSpace spaceAround(const Eigen::ArrayXXd& positions) {
+  constexpr double kLeast = 0.02;  // m, rad
+  SearchSpace space;
+  const Eigen::ArrayXd low = positions.colwise().minCoeff();
+  const Eigen::ArrayXd high = positions.colwise().maxCoeff();
+  const Eigen::ArrayXd middle = 0.5 * (low + high);
+  Eigen::ArrayXd reach = high - low + kLeast;
+  reach[2] = std::min(reach[2], kPi);
+  space.low = middle - reach;
+  space.high = middle + reach;
+  space.has_heading = true;
+  return space;
+}
 
 }  // namespace
 
@@ -53,9 +67,13 @@ SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptio
   whole_.is_torus = options_.wrap_map;
 }
 
-Pose2 SwarmFixer::inMap(const Pose2& T_map_base) const {
-  if (!options_.wrap_map) return T_map_base;
-  return {whole_.inside(0, T_map_base.x), whole_.inside(1, T_map_base.y), T_map_base.theta};
+SwarmPrice SwarmFixer::priceOf(bool is_cast) const {
+  return {objective_.swarm_beams, is_cast, leaders_};
+}
+
+int SwarmFixer::affordable(int searchers) const {
+  return static_cast<int>(
+      priceOf(options_.swarm_ranges == "cast").affordable(searchers, 1e6 * options_.swarm_budget));
 }
 
 double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observations) const {
@@ -86,71 +104,57 @@ std::unique_ptr<RangeObjective> SwarmFixer::rangesOf(const Observations& observa
   return std::make_unique<CastObjective>(objective_, scan, max_range_, map_);
 }
 
-/// Twice as wide as the positions are; headings as they are, not wrapped.
-SearchSpace SwarmFixer::spaceAround(const Eigen::ArrayXXd& positions) const {
-  constexpr double kLeast = 0.02;  // m, rad
-  SearchSpace space;
-  const Eigen::ArrayXd low = positions.colwise().minCoeff();
-  const Eigen::ArrayXd high = positions.colwise().maxCoeff();
-  const Eigen::ArrayXd more = 0.5 * (high - low) + kLeast;
-  space.low = low - more;
-  space.high = high + more;
-  space.has_heading = true;
-  return space;
-}
-
-StopRule SwarmFixer::stopRule(const Objective& objective) const {
-  const bool is_cast = dynamic_cast<const CastObjective*>(&objective) != nullptr;
+StopRule SwarmFixer::stopRule() const {
   StopRule rule;
   rule.tolerance = options_.swarm_tolerance;
   rule.max_iterations = options_.swarm_max_iterations;
   rule.patience = options_.swarm_patience;
-  rule.max_evaluations =
-      1e6 * options_.swarm_budget / (objective_.swarm_beams * (is_cast ? kCastPrice : 1.0));
   return rule;
 }
 
 SwarmFix SwarmFixer::fix(const Particles& start, const SwarmMove& move,
                          const Observations& observations, Rng& rng) {
   const auto objective = rangesOf(observations);
-  SwarmFix fix = searchIn(whole_, start, move, *objective, stopRule(*objective), rng);
-  match(observations, fix);
+  SwarmFix fix = searchIn(whole_, columnsOf(start), move, *objective, stopRule(), rng);
+  finish(observations, fix);
   return fix;
 }
 
 SwarmFix SwarmFixer::fixNear(const Gaussian2& odometry, const Particles& start,
                              const SwarmMove& move, const Observations& observations, Rng& rng) {
+  const bool has_odometry = options_.swarm_near == "hits";
   std::unique_ptr<Objective> objective;
-  if (options_.swarm_near == "hits") {
+  if (has_odometry) {
     FieldObjective field(observations.scan, objective_.swarm_beams, kHitTruncation,
                          distance_field_);
     objective = std::make_unique<NearObjective>(std::move(field), odometry);
   } else {
     objective = rangesOf(observations);
   }
-  StopRule rule = stopRule(*objective);
+  StopRule rule = stopRule();
   if (matcher_) {  // does the rest
     rule.max_iterations = std::min(rule.max_iterations, kNearIterations);
     rule.patience = kNearPatience;
   }
-  const SearchSpace space = options_.wrap_map ? whole_ : spaceAround(columnsOf(start));
-  SwarmFix fix = searchIn(space, start, move, *objective, rule, rng);
-  match(observations, fix);
+  const Eigen::ArrayXXd positions = columnsAround(odometry.mean.theta, start);
+  SwarmFix fix = searchIn(spaceAround(positions), positions, move, *objective, rule, rng);
+  fix.has_odometry = has_odometry;
+  finish(observations, fix);
   return fix;
 }
 
-SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Particles& start,
-                              const SwarmMove& move, const Objective& objective,
-                              const StopRule& rule, Rng& rng) const {
-  Particles placed = start;
-  for (Eigen::Index i = 0; i < placed.size(); ++i) placed.setPose(i, inMap(placed.pose(i)));
-  Swarm swarm(space, columnsOf(placed), objective);
+SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Eigen::ArrayXXd& start,
+                              const SwarmMove& move, const Objective& objective, StopRule rule,
+                              Rng& rng) const {
+  const SwarmPrice price = priceOf(dynamic_cast<const CastObjective*>(&objective) != nullptr);
+  const double budget = 1e6 * options_.swarm_budget;
+  Swarm swarm(space, thinned(start, price.affordable(start.rows(), budget)), objective);
+  rule.max_evaluations = budget / price.ofOne(swarm.size());
   SwarmFix fix;
   fix.iterations = search(swarm, move, objective, rule, rng).iterations;
   stepBackToBest(swarm);
   fix.bats = particlesOf(swarm);
   fix.estimate = estimateOf(fix.bats);
-  fix.cost = swarm.best_cost;
   if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
   return fix;
 }
@@ -158,18 +162,17 @@ SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Particles& start,
 SwarmFix SwarmFixer::fixAt(const Mode& place, const Observations& observations) const {
   SwarmFix fix;
   fix.estimate = {place.T_map_base, place.covariance, {place}};
-  fix.cost = costOf(place.T_map_base, observations);
-  match(observations, fix);
+  finish(observations, fix);
   return fix;
 }
 
-/// Costs are by ray casting then: a table's are larger by what it rounds.
-void SwarmFixer::match(const Observations& observations, SwarmFix& fix) const {
-  if (!matcher_) return;
+/// Costs are of ranges and by ray casting, whatever the search made small: a table's are larger by
+/// what it rounds.
+void SwarmFixer::finish(const Observations& observations, SwarmFix& fix) const {
   fix.cost = costOf(fix.estimate.T_map_base, observations);
+  if (!matcher_) return;
   Match match = matcher_->match(fix.estimate.T_map_base, observations.scan);
   if (!match.isGood()) return;
-  match.T_map_base = inMap(match.T_map_base);
   const double cost = costOf(match.T_map_base, observations);
   if (cost > kAstray * fix.cost + kAstrayMore) return;
   fix.cost = cost;

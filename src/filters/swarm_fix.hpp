@@ -11,6 +11,7 @@
 #include "adaptive_localization/swarm/field_objective.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm_price.hpp"
 
 namespace adaptive_localization {
 
@@ -21,7 +22,7 @@ struct SwarmFixOptions {
   double swarm_tolerance{0.0};
   int swarm_max_iterations{60};
   int swarm_patience{6};
-  double swarm_budget{2.0};
+  double swarm_budget{10.0};
   bool wrap_map{false};
 
   template <class Visitor>
@@ -42,10 +43,15 @@ struct SwarmFixOptions {
            "Iterations of a search at the most.");
     option("swarm_patience", swarm_patience, kNotNegative, "",
            "Iterations without progress that end a search; 0: any number.");
+    option("swarm_budget", swarm_budget, kPositive, "",
+           "Work of a search at the most, the first look of each searcher among it: 1 is a million "
+           "ranges looked up, about 2 ms; a ray that is cast counts as 150 of them, the move of a "
+           "searcher as 25, a leader that it looks at as 1. Searchers that could not fly 10 "
+           "iterations each are left out.");
     option(
-        "swarm_budget", swarm_budget, kPositive, "",
-        "Millions of ranges looked up in a search at the most; a ray that is cast counts as 30.");
-    option("wrap_map", wrap_map, "The map's ends are joined: swarms search a torus.");
+        "wrap_map", wrap_map,
+        "While the swarm looks for the robot all over the map, a searcher that leaves at one end "
+        "of the map comes back at the other; odometry, rays and matches end where the map does.");
   }
 };
 
@@ -53,7 +59,8 @@ struct SwarmFixOptions {
 struct SwarmFix {
   Estimate estimate{};           // of the bats
   std::optional<Match> match{};  // of the scan, from the heaviest mode on, if it tells something
-  double cost{0.0};              // there, or of the best bat
+  double cost{0.0};              // there: of ranges, by ray casting
+  bool has_odometry{false};      // weighed in by the search
   int iterations{0};
   Particles bats{};     // weighed by their cost
   Particles leaders{};  // of the bats
@@ -84,8 +91,8 @@ class SwarmFixer {
   /// The best pose for a scan next to this one, and its cost; without any swarm.
   SwarmFix fixAt(const Mode& place, const Observations& observations) const;
 
-  /// The same pose, on a torus between the map's ends.
-  Pose2 inMap(const Pose2& T_map_base) const;
+  /// So many of the searchers as the budget lets search where the option says ranges come from.
+  int affordable(int searchers) const;
 
   /// The cost of a pose, by ray casting.
   double costOf(const Pose2& T_map_base, const Observations& observations) const;
@@ -95,11 +102,11 @@ class SwarmFixer {
 
  private:
   std::unique_ptr<RangeObjective> rangesOf(const Observations& observations);
-  SearchSpace spaceAround(const Eigen::ArrayXXd& positions) const;
-  SwarmFix searchIn(const SearchSpace& space, const Particles& start, const SwarmMove& move,
-                    const Objective& objective, const StopRule& rule, Rng& rng) const;
-  StopRule stopRule(const Objective& objective) const;
-  void match(const Observations& observations, SwarmFix& fix) const;
+  SwarmPrice priceOf(bool is_cast) const;
+  SwarmFix searchIn(const SearchSpace& space, const Eigen::ArrayXXd& start, const SwarmMove& move,
+                    const Objective& objective, StopRule rule, Rng& rng) const;
+  StopRule stopRule() const;
+  void finish(const Observations& observations, SwarmFix& fix) const;
 
   SwarmFixOptions options_;
   RangeObjectiveOptions objective_;

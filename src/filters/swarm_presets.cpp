@@ -12,6 +12,7 @@ Preset sourceOfSwarms() {
           {"swarm_tolerance", 0.03},
           {"swarm_max_iterations", 500},
           {"swarm_patience", 0},
+          {"swarm_budget", 1000.0},
           {"swarm_match", false},
           {"swarm_near", std::string("ranges")},
           {"swarm_fix_deviation", 0.3},

@@ -9,22 +9,24 @@
 namespace adaptive_localization {
 
 bool SearchSpace::wraps(Eigen::Index k) const {
-  const bool is_heading = has_heading && k == dimensions() - 1;
-  return is_heading ? width(k) > 2.0 * kPi - 1e-9 : is_torus;
+  return isHeading(k) ? width(k) > 2.0 * kPi - 1e-9 : is_torus;
+}
+
+double SearchSpace::period(Eigen::Index k) const {
+  return isHeading(k) ? 2.0 * kPi : width(k);
 }
 
 double SearchSpace::way(Eigen::Index k, double from, double to) const {
   const double direct = to - from;
-  const double around = width(k);
-  if (!wraps(k) || std::abs(direct) <= 0.5 * around) return direct;
-  return std::remainder(direct, around);
+  if (!wraps(k) || std::abs(direct) <= 0.5 * period(k)) return direct;
+  return std::remainder(direct, period(k));
 }
 
 double SearchSpace::inside(Eigen::Index k, double value) const {
   if (value >= low[k] && value <= high[k]) return value;
   if (!wraps(k)) return std::clamp(value, low[k], high[k]);
-  const double turns = std::floor((value - low[k]) / width(k));
-  return std::clamp(value - turns * width(k), low[k], high[k]);
+  const double turns = std::floor((value - low[k]) / period(k));
+  return std::clamp(value - turns * period(k), low[k], high[k]);
 }
 
 }  // namespace adaptive_localization

@@ -44,7 +44,7 @@ SearchResult search(Swarm& swarm, const SwarmMove& move, const Objective& object
   constexpr double kProgress = 0.99;  // of the best cost
   SearchResult result;
   const auto per_iteration = static_cast<double>(swarm.size());
-  double evaluations = 0.0;
+  double evaluations = per_iteration;  // the first ones of the swarm
   double best_before = swarm.best_cost;
   int idle = 0;
   while (!(result.is_reached = swarm.best_cost <= rule.tolerance)) {

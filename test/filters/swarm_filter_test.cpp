@@ -156,20 +156,32 @@ TEST(SwarmFilter, LeadersAreSomeOfTheBats) {
   EXPECT_EQ(no_leaders->leaders().size(), 0);
 }
 
-TEST(SwarmFilter, OnATorusARobotComesBackAtTheOtherEnd) {
-  const auto filter = makeSwarm("lbba", "recommended", {{"wrap_map", true}});
-  filter->reset(exactly({9.9, 2.5, 0.0}));
-  const Observations nothing;
-  const Estimate estimate = filter->update({0.4, 0.0, 0.0}, nothing);
-  EXPECT_NEAR(estimate.T_map_base.x, 0.3, 1e-9);
+TEST(SwarmFilter, DoesNotWeighAFixAgainstItself) {
+  const Pose2 truth{2.0, 1.0, 0.3};
+  const std::map<std::string, int> scans{{"hits", 4}, {"ranges", 2}};  // until the slip is seen
+  for (const auto& [near, count] : scans) {
+    const auto filter =
+        makeSwarm("lbba", "recommended", {{"swarm_match", false}, {"swarm_near", near}});
+    filter->reset(exactly(truth));
+    filter->update({}, seenAt(truth));
+    const Pose2 slip{0.25, 0.0, 0.0};  // which odometry does not see
+    for (int i = 0; i < count; ++i) filter->update({}, seenAt(truth * slip));
+    const Estimate estimate = filter->estimate();
+    EXPECT_THAT(estimate.T_map_base, PoseNear(truth * slip, 0.05, 0.03)) << near;
+    EXPECT_GE(std::sqrt(estimate.covariance(0, 0)), 0.04) << near;  // what a swarm can tell
+    EXPECT_GE(std::sqrt(estimate.covariance(2, 2)), 0.02) << near;
+  }
 }
 
 TEST(SwarmFilter, FindsWithRayCastingWhatItFindsWithTheTable) {
   const Pose2 truth{7.0, 1.0, 2.0};
-  const auto filter = makeSwarm("lbba", "recommended",
-                                {{"swarm_ranges", std::string("cast")}, {"swarm_budget", 100.0}});
-  filter->reset(Anywhere{});
-  EXPECT_THAT(filter->update({}, seenAt(truth)).T_map_base, PoseNear(truth, 0.05, 0.02));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto filter =
+        makeSwarm("lbba", "recommended", {{"swarm_ranges", std::string("cast")}}, seed);
+    filter->reset(Anywhere{});
+    EXPECT_THAT(filter->update({}, seenAt(truth)).T_map_base, PoseNear(truth, 0.05, 0.02));
+    EXPECT_GE(filter->hypotheses().size(), 100);
+  }
 }
 
 }  // namespace

@@ -53,6 +53,16 @@ TEST(SearchSpace, HeadingsWrapWhateverTheOthersDo) {
   EXPECT_DOUBLE_EQ(space.inside(2, 3.5), 3.4);
 }
 
+TEST(SearchSpace, AHeadingComesBackAfterAWholeTurnHoweverWideTheSpaceIs) {
+  SearchSpace space;
+  space.low = Eigen::Array3d(0.0, 0.0, -2.0 * kPi);
+  space.high = Eigen::Array3d(10.0, 5.0, 2.0 * kPi);
+  space.has_heading = true;
+  EXPECT_NEAR(space.way(2, -2.0 * kPi + 0.1, 2.0 * kPi - 0.1), -0.2, 1e-12);
+  EXPECT_NEAR(space.way(2, 0.1, 2.0 * kPi - 0.1), -0.2, 1e-12);
+  EXPECT_NEAR(wrapAngle(space.inside(2, 2.0 * kPi + 0.3)), 0.3, 1e-12);
+}
+
 TEST(TestFunctions, AreZeroAtTheOriginAndNowhereLess) {
   for (const TestFunction& function : testFunctions()) {
     EXPECT_NEAR(function(0.0, 0.0), 0.0, 1e-12) << function.name();
@@ -86,8 +96,12 @@ TEST(Swarm, StopsByToleranceIterationsEvaluationsOrPatience) {
   rule.max_iterations = 7;
   EXPECT_EQ(run(rule).iterations, 7);
   EXPECT_FALSE(run(rule).is_reached);
-  rule.max_evaluations = 199.0;  // three times 50
+  rule.max_evaluations = 200.0;  // 50 at first, and three times 50
   EXPECT_EQ(run(rule).iterations, 3);
+  rule.max_evaluations = 199.0;
+  EXPECT_EQ(run(rule).iterations, 2);
+  rule.max_evaluations = 10.0;
+  EXPECT_EQ(run(rule).iterations, 0);
   rule = {};
   rule.tolerance = -1.0;
   rule.max_iterations = 100000;

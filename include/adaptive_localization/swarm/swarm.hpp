@@ -39,7 +39,7 @@ class SwarmMove;
 struct StopRule {
   double tolerance{0.0};  // cost that is good enough
   int max_iterations{500};
-  double max_evaluations{1e9};  // of the objective, the first ones of the swarm not among them
+  double max_evaluations{1e9};  // of the objective, the first ones of the swarm among them
   int patience{0};              // iterations without progress; 0: any number
 };
 

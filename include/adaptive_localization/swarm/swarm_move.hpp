@@ -49,9 +49,10 @@ struct BatOptions {
            "Share of its velocity that a bat keeps from one iteration to the next.");
     option("bat_repulsive", bat_repulsive,
            "Bats fly away from the best one, as the algorithm is printed; a misprint.");
-    option("bat_walk_share", bat_walk_share, Range{-1, 1}, "",
-           "Share of moves that are local walks; -1: by each bat's pulse rate, as printed, which "
-           "walks always at first and ever more rarely.");
+    option(
+        "bat_walk_share", bat_walk_share, Range{-1, 1}, "",
+        "Share of moves that are local walks; below 0: by each bat's pulse rate, as printed, which "
+        "walks always at first and ever more rarely.");
     option("bat_walk_adapts", bat_walk_adapts,
            "Local walks are as wide as the leader's colony is, and not bat_walk_size.");
     option("bat_walk_size", bat_walk_size, kNotNegative, "m, rad",
@@ -64,9 +65,9 @@ struct BatOptions {
     option("bat_loudness_decay", bat_loudness_decay, Range{0, 1}, "",
            "Factor on a bat's loudness each time that it takes a better place.");
     option("bat_pulse_rate", bat_pulse_rate, kProbability, "",
-           "Pulse rate that bats get to (bat_walk_share -1).");
+           "Pulse rate that bats get to (bat_walk_share below 0).");
     option("bat_pulse_growth", bat_pulse_growth, kNotNegative, "",
-           "How fast they get there, per iteration (bat_walk_share -1).");
+           "How fast they get there, per iteration (bat_walk_share below 0).");
   }
 };
 
