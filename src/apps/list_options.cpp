@@ -106,9 +106,7 @@ void printYaml(const std::string& core, const std::string& preset) {
   Parameters parameters;
   parameters.set("filter", OptionValue{core});
   parameters.set("preset", OptionValue{preset});
-  const auto cell =
-      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
-  const Localizer localizer(parameters, cell);
+  const Localizer localizer(parameters, trialMap());
   std::cout << "# Core " << core << ", preset " << preset << ": "
             << FilterRegistry{}.find(core).sentence << '\n';
   for (const auto& option : localizer.effectiveOptions()) {

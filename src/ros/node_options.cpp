@@ -3,7 +3,6 @@
 
 #include <ros/console.h>
 
-#include <memory>
 #include <stdexcept>
 
 #include "adaptive_localization/localizer.hpp"
@@ -18,9 +17,7 @@ NodeOptions readNodeOptions(const Parameters& parameters) {
   for (auto* frame : {&options.odom_frame_id, &options.base_frame_id, &options.global_frame_id}) {
     *frame = withoutLeadingSlash(*frame);
   }
-  const auto cell =
-      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
-  const Localizer localizer(parameters, cell);
+  const Localizer localizer(parameters, trialMap());
   reportUnknown(localizer.unknownKeys());
   std::string text;
   const auto append = [&text](const std::vector<OptionDescription>& rows) {

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
 #include "adaptive_localization/options.hpp"
 
 namespace adaptive_localization {
@@ -103,8 +106,15 @@ struct NodeOptions {
   }
 };
 
-/// Reads the node's options and says all that are in effect. Makes a localizer on a map of one cell
-/// on the way, so that wrong parameters show at the start, not with the map.
+/// A map of one cell to try options on before there is a map, so large that every floor plan is on
+/// it: its coordinates are below 1e4 m.
+inline std::shared_ptr<const OccupancyGrid> trialMap() {
+  return std::make_shared<const OccupancyGrid>(Lattice(1, 1, 2e4, {-1e4, -1e4, 0.0}),
+                                               std::vector<std::int8_t>{0});
+}
+
+/// Reads the node's options and says all that are in effect. Makes a localizer on the trial map on
+/// the way, so that wrong parameters show at the start, not with the map.
 /// Throws std::invalid_argument naming key, value and range.
 NodeOptions readNodeOptions(const Parameters& parameters);
 

@@ -56,10 +56,8 @@ inline NodeOptions liveOptions(Parameters parameters, const NodeOptions& now) {
 /// All options of node, localizer and filters with the values that parameters give them.
 /// Throws std::invalid_argument naming key, value and range.
 inline std::vector<OptionDescription> allOptions(const Parameters& parameters) {
-  const auto cell =
-      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
   std::vector<OptionDescription> all = describe(parameters.read<NodeOptions>());
-  const auto others = Localizer(parameters, cell).allOptions();
+  const auto others = Localizer(parameters, trialMap()).allOptions();
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }

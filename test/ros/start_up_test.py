@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -69,14 +70,25 @@ class StartUp(unittest.TestCase):
         self.assertEqual(output.count("WARN"), 4, output)
         self.assertIn("kld_err: 0.05\n", output)
 
+    def test_floor_plan_anywhere_is_fine_until_there_is_a_map(self):
+        with tempfile.NamedTemporaryFile(mode="w", suffix=".yaml") as plan:
+            plan.write("outline: [[900, -700], [907, -700], [907, -694]]\n")
+            plan.flush()
+            code, output = self.run_until_it_waits("_line_map:=" + plan.name)
+        self.assertEqual(code, 0, output)
+        self.assertIn("line_map: " + plan.name, output)
+
     def test_bad_parameters_are_one_fatal_line(self):
         for key, value, expected in [
                 ("laser_max_beams", "1", "'laser_max_beams': got '1', expected a whole number in"),
                 ("odom_alpha1", "-0.5", "'odom_alpha1': got '-0.5', expected a finite number >= 0"),
-                ("laser_sigma_hit", ".nan", "'laser_sigma_hit': got 'nan', expected a finite number > 0"),
+                ("laser_sigma_hit", ".nan", "'laser_sigma_hit': got 'nan', expected a number in"),
                 ("max_particles", "many", "'max_particles': got 'many', expected a whole number"),
                 ("filter", "magic", "'filter': got 'magic', expected one of"),
                 ("start", "here", "'start': got 'here', expected one of pose, anywhere, wait"),
+                ("line_map", "/does/not/exist.yaml",
+                 "option 'line_map': floor plan '/does/not/exist.yaml'"),
+                ("match_reach", "0.1", "'match_reach': got '0.1', expected at least"),
                 ("transform_tolerance", "-1", "'transform_tolerance': got '-1'")]:
             process = self.start("_%s:=%s" % (key, value))
             output = process.communicate(timeout=20)[0].decode()
