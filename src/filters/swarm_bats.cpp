@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "swarm_bats.hpp"
 
+#include <algorithm>
+
 #include "adaptive_localization/particle/summary.hpp"
 #include "adaptive_localization/swarm/leaders.hpp"
 
@@ -35,6 +37,20 @@ Eigen::ArrayXXd columnsAround(double heading, const Particles& particles) {
     columns(i, 2) = heading + wrapAngle(columns(i, 2) - heading);
   }
   return columns;
+}
+
+SearchSpace spaceAround(const Eigen::ArrayXXd& positions) {
+  constexpr double kLeast = 0.02;  // m, rad
+  SearchSpace space;
+  const Eigen::ArrayXd low = positions.colwise().minCoeff();
+  const Eigen::ArrayXd high = positions.colwise().maxCoeff();
+  const Eigen::ArrayXd middle = 0.5 * (low + high);
+  Eigen::ArrayXd reach = high - low + kLeast;
+  reach[2] = std::min(reach[2], kPi);
+  space.low = middle - reach;
+  space.high = middle + reach;
+  space.has_heading = true;
+  return space;
 }
 
 Eigen::ArrayXXd thinned(const Eigen::ArrayXXd& rows, Eigen::Index count) {

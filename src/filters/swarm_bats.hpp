@@ -13,6 +13,9 @@ Eigen::ArrayXXd columnsOf(const Particles& particles);
 /// it is anywhere else.
 Eigen::ArrayXXd columnsAround(double heading, const Particles& particles);
 
+/// Twice as wide as such positions are, but no wider than a turn.
+SearchSpace spaceAround(const Eigen::ArrayXXd& positions);
+
 /// So many of the rows, evenly spread; all of them if there are no more.
 Eigen::ArrayXXd thinned(const Eigen::ArrayXXd& rows, Eigen::Index count);
 

@@ -19,21 +19,6 @@ constexpr double kAstrayMore = 0.03;    // m, 1
 constexpr int kNearIterations = 12;     // a narrow cloud needs no more
 constexpr int kNearPatience = 2;
 
-/// Twice as wide as the positions are, headings not wrapped, but no wider than a turn.
-SearchSpace spaceAround(const Eigen::ArrayXXd& positions) {
-  constexpr double kLeast = 0.02;  // m, rad
-  SearchSpace space;
-  const Eigen::ArrayXd low = positions.colwise().minCoeff();
-  const Eigen::ArrayXd high = positions.colwise().maxCoeff();
-  const Eigen::ArrayXd middle = 0.5 * (low + high);
-  Eigen::ArrayXd reach = high - low + kLeast;
-  reach[2] = std::min(reach[2], kPi);
-  space.low = middle - reach;
-  space.high = middle + reach;
-  space.has_heading = true;
-  return space;
-}
-
 }  // namespace
 
 SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,

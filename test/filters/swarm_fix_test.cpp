@@ -155,6 +155,19 @@ TEST(SwarmBats, HeadingsAboutPiLieTogether) {
   EXPECT_NEAR(columns(0, 2), kPi - 0.1, 1e-12);
   EXPECT_NEAR(columns(1, 2), kPi + 0.1, 1e-12);
   EXPECT_EQ(columns(1, 0), 1.0);
+  const SearchSpace space = spaceAround(columns);
+  EXPECT_NEAR(space.low[2], kPi - 0.22, 1e-12);
+  EXPECT_NEAR(space.high[2], kPi + 0.22, 1e-12);
+}
+
+TEST(SwarmBats, HeadingsOfAWideCloudAreAWholeTurn) {
+  Particles bats(2);
+  bats.setPose(0, {1.0, 2.0, -2.5});
+  bats.setPose(1, {1.0, 2.0, 2.0});
+  const SearchSpace space = spaceAround(columnsAround(0.0, bats));
+  EXPECT_NEAR(space.width(2), 2.0 * kPi, 1e-12);
+  EXPECT_TRUE(space.wraps(2));
+  EXPECT_NEAR(space.width(0), 0.04, 1e-12);
 }
 
 TEST(SwarmBats, AreThinnedEvenly) {
