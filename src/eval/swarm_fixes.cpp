@@ -43,6 +43,11 @@ double msSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) /
+         std::max<double>(1.0, static_cast<double>(values.size()));
+}
+
 Outcome searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sight,
                    const SwarmFixPlan& plan, const SwarmFixCell& cell) {
   const auto start = scene.spread(cell.start, cell.searchers, sight.observations, sight.rng);
@@ -80,7 +85,7 @@ Outcome localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight) {
 /// Runs with the seeds 1, 2, ...
 template <class Find>
 SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& find) {
-  std::vector<double> times;
+  std::vector<double> times, errors, matched;
   for (int seed = 1; seed <= cell.runs; ++seed) {
     Sight sight(scene, seed);
     const Outcome outcome = find(sight, seed);
@@ -91,14 +96,17 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
     if (error < kRight &&
         std::abs(wrapAngle(outcome.found.theta - sight.truth.theta)) < kRightTurn) {
       ++cell.found;
-      cell.error_mm += 1000.0 * error;
-      cell.matched_mm +=
-          1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth);
+      errors.push_back(1000.0 * error);
+      matched.push_back(
+          1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth));
     }
   }
-  cell.error_mm /= std::max(1, cell.found);
-  cell.matched_mm /= std::max(1, cell.found);
+  cell.error_mm = meanOf(errors);
+  cell.matched_mm = meanOf(matched);
+  for (double& value : matched) value = std::pow(value - cell.matched_mm, 2);
+  cell.matched_std_mm = std::sqrt(meanOf(matched));
   cell.ms_median = quantile(times, 0.5);
+  cell.ms_mean = meanOf(times);
   return cell;
 }
 

@@ -9,10 +9,11 @@ namespace {
 
 std::string rowOf(const SwarmFixCell& cell) {
   char row[200];
-  std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f | %.1f | %.1f | %.2f |\n",
-                cell.start.c_str(), cell.core.c_str(), cell.searchers,
-                100.0 * cell.found / cell.runs, 100.0 * cell.reached / cell.runs,
-                cell.meanIterations(), cell.error_mm, cell.matched_mm, cell.ms_median);
+  std::snprintf(
+      row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f | %.1f | %.1f ± %.1f | %.2f | %.2f |\n",
+      cell.start.c_str(), cell.core.c_str(), cell.searchers, 100.0 * cell.found / cell.runs,
+      100.0 * cell.reached / cell.runs, cell.meanIterations(), cell.error_mm, cell.matched_mm,
+      cell.matched_std_mm, cell.ms_median, cell.ms_mean);
   return row;
 }
 
@@ -43,9 +44,10 @@ std::string comparison(const std::vector<SwarmFixCell>& cells) {
 
 std::string toTable(const std::vector<SwarmFixCell>& cells) {
   std::string table =
-      "| start | core | searchers | found, % | reached 3 %, % | iterations | error, mm | matched, "
+      "| start | core | searchers | found, % | reached 3 %, % | iterations | error of those found, "
       "mm "
-      "| ms per fix |\n|---|---|---|---|---|---|---|---|---|\n";
+      "| the same matched, mm | ms per fix: median | mean |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const SwarmFixCell& cell : cells) table += rowOf(cell);
   return table + comparison(cells);
 }

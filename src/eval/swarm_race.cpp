@@ -35,17 +35,23 @@ SwarmRaceCell race(const TestFunction& function, const SwarmRacer& racer, int se
 std::vector<SwarmRacer> swarmRacers() {
   BatOptions repulsive = printedBats();
   repulsive.bat_repulsive = true;
+  BatOptions no_leaps;
+  no_leaps.bat_leap_share = 0.0;
   return {{"ba as printed", std::make_shared<BatMove>(repulsive)},
           {"ba, right sign", std::make_shared<BatMove>(printedBats())},
+          {"ba improved", std::make_shared<BatMove>(BatOptions{})},
           {"lbba as printed", std::make_shared<BatMove>(printedBats(), printedLeaders())},
           {"lbba improved", std::make_shared<BatMove>(BatOptions{}, LeaderOptions{})},
+          {"lbba improved, no leaps", std::make_shared<BatMove>(no_leaps, LeaderOptions{})},
           {"pso", std::make_shared<ParticleSwarmMove>()}};
 }
 
 std::vector<SwarmRaceCell> raceSwarms(int seeds) {
   std::vector<SwarmRaceCell> cells;
   const auto all = swarmRacers();
-  for (const TestFunction& function : testFunctions()) {
+  std::vector<TestFunction> functions = testFunctions();
+  for (const TestFunction& function : turnedTestFunctions()) functions.push_back(function);
+  for (const TestFunction& function : functions) {
     for (const SwarmRacer& racer : all) {
       for (const int count : kSearchers) cells.push_back(race(function, racer, count, seeds));
     }

@@ -11,12 +11,13 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr int kWidth = 560, kHeight = 440;                       // px, of a panel
-constexpr int kLeft = 64, kRight = 40, kTop = 44, kBottom = 52;  // px around the axes
+constexpr int kWidth = 740, kHeight = 440;                        // px, of a panel
+constexpr int kLeft = 64, kRight = 250, kTop = 44, kBottom = 52;  // px around the axes
 constexpr double kFewest = 20.0, kMost = 1200.0, kIterations = 500.0;
 const cv::Scalar kBlack(0, 0, 0), kGrey(220, 220, 220), kWhite(255, 255, 255);
-const cv::Scalar kColours[] = {
-    {180, 119, 31}, {14, 127, 255}, {44, 160, 44}, {40, 39, 214}, {189, 103, 148}};
+const cv::Scalar kColours[] = {{180, 119, 31},  {14, 127, 255}, {44, 160, 44},  {40, 39, 214},
+                               {189, 103, 148}, {75, 86, 140},  {194, 119, 227}};
+constexpr int kPanelsInRow = 3;
 constexpr std::size_t kColourCount = sizeof kColours / sizeof *kColours;
 
 void putText(cv::Mat& image, const std::string& text, const cv::Point& at, double size = 0.48) {
@@ -58,7 +59,7 @@ cv::Mat draw(const std::string& function, const std::vector<SwarmRaceCell>& cell
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const cv::Scalar& colour = kColours[i % kColourCount];
     cv::polylines(panel, curves[moves[i]], false, colour, 2, cv::LINE_AA);
-    const cv::Point at(kWidth - kRight - 170, kTop + 14 + 20 * static_cast<int>(i));
+    const cv::Point at(kWidth - kRight + 14, kTop + 14 + 20 * static_cast<int>(i));
     cv::line(panel, at - cv::Point(0, 5), at + cv::Point(24, -5), colour, 3, cv::LINE_AA);
     putText(panel, moves[i], at + cv::Point(32, 0));
   }
@@ -72,10 +73,12 @@ void savePlot(const std::vector<SwarmRaceCell>& cells, const std::string& file) 
   for (const SwarmRaceCell& cell : cells) {
     if (functions.empty() || functions.back() != cell.function) functions.push_back(cell.function);
   }
-  cv::Mat image(kHeight, kWidth * std::max(1, static_cast<int>(functions.size())), CV_8UC3, kWhite);
+  const int count = std::max(1, static_cast<int>(functions.size()));
+  const int columns = std::min(count, kPanelsInRow), rows = (count + columns - 1) / columns;
+  cv::Mat image(kHeight * rows, kWidth * columns, CV_8UC3, kWhite);
   for (int i = 0; i < static_cast<int>(functions.size()); ++i) {
     const cv::Mat panel = draw(functions[static_cast<std::size_t>(i)], cells);
-    panel.copyTo(image(cv::Rect(kWidth * i, 0, kWidth, kHeight)));
+    panel.copyTo(image(cv::Rect(kWidth * (i % columns), kHeight * (i / columns), kWidth, kHeight)));
   }
   bool is_written = false;
   try {

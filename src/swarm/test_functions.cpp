@@ -7,10 +7,24 @@
 
 namespace adaptive_localization {
 
+double TestFunction::operator()(double x, double y) const {
+  const double dx = x - centre_.x(), dy = y - centre_.y();
+  const double c = std::cos(angle_), s = std::sin(angle_);
+  return formula_(c * dx + s * dy, c * dy - s * dx);
+}
+
+TestFunction TestFunction::turned(double angle, const Eigen::Vector2d& centre) const {
+  TestFunction other = *this;
+  other.name_ += " turned";
+  other.angle_ = angle;
+  other.centre_ = centre;
+  return other;
+}
+
 void TestFunction::evaluate(const Eigen::ArrayXXd& positions,
                             Eigen::Ref<Eigen::ArrayXd> costs) const {
   for (Eigen::Index i = 0; i < positions.rows(); ++i) {
-    costs[i] = formula_(positions(i, 0), positions(i, 1));
+    costs[i] = (*this)(positions(i, 0), positions(i, 1));
   }
 }
 
@@ -47,6 +61,15 @@ TestFunction ackley() {
 
 std::vector<TestFunction> testFunctions() {
   return {rastrigin(), ackley(), eggcrate()};
+}
+
+std::vector<TestFunction> turnedTestFunctions() {
+  std::vector<TestFunction> functions;
+  for (const TestFunction& function : testFunctions()) {
+    const double half_width = 0.5 * function.space().width(0);
+    functions.push_back(function.turned(kPi / 6.0, half_width * Eigen::Vector2d(0.3, -0.2)));
+  }
+  return functions;
 }
 
 }  // namespace adaptive_localization

@@ -20,9 +20,10 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
     ASSERT_EQ(cell.iterations.size(), 6u);
     EXPECT_LE(cell.meanIterations(), 500.0);
     EXPECT_LT(cell.error_mm, 150.0);
+    EXPECT_GT(cell.ms_mean, 0.0);
     cells[cell.start + "/" + cell.core + "/" + std::to_string(cell.searchers)] = cell;
   }
-  EXPECT_EQ(cells.size(), 24u);
+  EXPECT_EQ(cells.size(), 32u);
   const SwarmFixCell& many = cells["free/lbba improved/2000"];
   EXPECT_GE(many.found, cells["free/lbba improved/20"].found);
   EXPECT_GE(many.found, 4);
@@ -35,10 +36,11 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
 
 TEST(SwarmFixes, AreToldInATable) {
   const std::string table =
-      toTable({{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 4.56, 1.234},
-               {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 5.0, 2.0}});
-  EXPECT_THAT(table, testing::HasSubstr(
-                         "| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 4.6 | 1.23 |"));
+      toTable({{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 4.56, 0.71, 1.234, 5.678},
+               {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 5.0, 1.0, 2.0, 3.0}});
+  EXPECT_THAT(table,
+              testing::HasSubstr(
+                  "| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 4.6 ± 0.7 | 1.23 | 5.68 |"));
   EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.05 | 0.062 |"));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "adaptive_localization/pose2.hpp"
@@ -75,6 +76,20 @@ TEST(TestFunctions, AreZeroAtTheOriginAndNowhereLess) {
   EXPECT_NEAR(rastrigin()(1.0, 0.0), 1.0, 1e-12);
   EXPECT_NEAR(eggcrate()(0.5 * kPi, 0.0), 0.25 * kPi * kPi + 25.0, 1e-12);
   EXPECT_NEAR(ackley()(1.0, 1.0), 20.0 - 20.0 * std::exp(-0.2), 1e-12);
+}
+
+TEST(TestFunctions, TurnedOnesAreTheSameAboutAnotherPlace) {
+  const TestFunction plain = rastrigin();
+  const TestFunction turned = plain.turned(kPi / 6.0, {1.5, -1.0});
+  EXPECT_EQ(turned.name(), "Rastrigin turned");
+  EXPECT_NEAR(turned(1.5, -1.0), 0.0, 1e-12);
+  const double c = std::cos(kPi / 6.0), s = std::sin(kPi / 6.0);
+  EXPECT_NEAR(turned(1.5 + c * 0.7 - s * 0.2, -1.0 + s * 0.7 + c * 0.2), plain(0.7, 0.2), 1e-9);
+  ASSERT_EQ(turnedTestFunctions().size(), 3u);
+  for (const TestFunction& function : turnedTestFunctions()) {
+    const double half_width = function.space().high[0];
+    EXPECT_NEAR(function(0.3 * half_width, -0.2 * half_width), 0.0, 1e-12) << function.name();
+  }
 }
 
 TEST(Swarm, StopsByToleranceIterationsEvaluationsOrPatience) {

@@ -15,8 +15,8 @@ struct SwarmRacer {
   std::shared_ptr<const SwarmMove> move;
 };
 
-/// The bat algorithm as printed and with the right sign, the leader-based one as printed and
-/// improved, and the particle swarm.
+/// The bat algorithm as printed, with the right sign and improved, the leader-based one as printed,
+/// improved and without its leaps along one axis, and the particle swarm.
 std::vector<SwarmRacer> swarmRacers();
 
 /// Fixes from one kind of start by one kind of swarm, or filter, of one size.
@@ -28,8 +28,9 @@ struct SwarmFixCell {
   int found{0};                   // within 0.15 m and 5 degrees
   std::vector<int> iterations{};  // of each run, by seed; of a filter: updates
   double error_mm{0.0};           // mean of those found
-  double matched_mm{0.0};  // mean of the same, once the scan is matched with the plan's walls
-  double ms_median{0.0};
+  double matched_mm{0.0};      // mean of the same, once the scan is matched with the plan's walls
+  double matched_std_mm{0.0};  // standard deviation of these
+  double ms_median{0.0}, ms_mean{0.0};  // of all runs
 
   double meanIterations() const;
 };

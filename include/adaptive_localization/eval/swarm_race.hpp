@@ -16,13 +16,14 @@ struct SwarmRaceCell {
 };
 
 /// Experiment E7: who gets how fast to the least value of Rastrigin, Ackley and Eggcrate on a
-/// torus, to a hundredth, within 500 iterations. All moves start from the same positions.
+/// torus, to a hundredth, within 500 iterations, and then of the same three turned and shifted. All
+/// moves start from the same positions.
 std::vector<SwarmRaceCell> raceSwarms(int seeds);
 
 /// In Markdown: a row for each function and move, a column for each number of searchers.
 std::string toTable(const std::vector<SwarmRaceCell>& cells);
 
-/// A panel for each function: iterations over searchers.
+/// A panel for each function, three side by side: iterations over searchers.
 /// Throws std::runtime_error naming the file that could not be written.
 void savePlot(const std::vector<SwarmRaceCell>& cells, const std::string& file);
 

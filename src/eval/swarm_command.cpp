@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/eval/swarm_command.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+bool asksForHelp(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](const std::string& a) { return a == "--help" || a == "-h"; });
+}
+
+std::invalid_argument wrong(const std::string& name, const std::string& text,
+                            const std::string& expected) {
+  return std::invalid_argument(name + ": got '" + text + "', expected " + expected);
+}
+
+int toCount(const std::string& name, const std::string& text) {
+  char* end = nullptr;
+  const long count = std::strtol(text.c_str(), &end, 10);
+  if (text.empty() || *end != '\0' || count < 1 || count > 100000) {
+    throw wrong(name, text, "a whole number from 1 to 100000");
+  }
+  return static_cast<int>(count);
+}
+
+double toResolution(const std::string& text) {
+  char* end = nullptr;
+  const double resolution = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(resolution >= 0.01 && resolution <= 1.0)) {
+    throw wrong("RESOLUTION", text, "0.01 to 1 m");
+  }
+  return resolution;
+}
+
+void refuseMore(const std::vector<std::string>& arguments, std::size_t most) {
+  if (arguments.size() <= most) return;
+  throw std::invalid_argument("argument '" + arguments[most] + "' is one too many");
+}
+
+}  // namespace
+
+std::string swarmFunctionsUsage() {
+  return "usage: swarm_functions [SEEDS [PLOT.png]]\n\n"
+         "Prints how many iterations swarms of 20 to 1200 need to find the least value of\n"
+         "Rastrigin, Ackley and Eggcrate to 0.01, plain and turned and shifted: the mean, a run "
+         "that\n"
+         "failed counting 500, and in how many runs they do.\n\n"
+         "  SEEDS     runs of each swarm (default 50)\n"
+         "  PLOT.png  draws the same\n"
+         "  --help    print this\n";
+}
+
+std::string swarmFixesUsage() {
+  return "usage: swarm_fixes WORLD.yaml RESOLUTION [RUNS [torus]]\n\n"
+         "Compares swarms, and filters, that look for the place of one scan of 11 beams.\n\n"
+         "  WORLD.yaml  a floor plan, as in maps/*/world.yaml\n"
+         "  RESOLUTION  of its map, m\n"
+         "  RUNS        places of each kind of search (default 30)\n"
+         "  torus       searchers that leave at one end of the map come back at the other\n"
+         "  --help      print this\n";
+}
+
+SwarmFunctionsCommand parseSwarmFunctions(const std::vector<std::string>& arguments) {
+  SwarmFunctionsCommand command;
+  command.wants_help = asksForHelp(arguments);
+  if (command.wants_help) return command;
+  refuseMore(arguments, 2);
+  if (!arguments.empty()) command.seeds = toCount("SEEDS", arguments[0]);
+  if (arguments.size() > 1) command.plot_file = arguments[1];
+  return command;
+}
+
+SwarmFixesCommand parseSwarmFixes(const std::vector<std::string>& arguments) {
+  SwarmFixesCommand command;
+  command.wants_help = asksForHelp(arguments);
+  if (command.wants_help) return command;
+  refuseMore(arguments, 4);
+  if (arguments.empty()) throw std::invalid_argument("WORLD.yaml is missing");
+  if (arguments.size() < 2) throw std::invalid_argument("RESOLUTION is missing");
+  SwarmFixPlan& plan = command.plan;
+  plan.world = arguments[0];
+  plan.resolution = toResolution(arguments[1]);
+  if (arguments.size() > 2) plan.runs = toCount("RUNS", arguments[2]);
+  plan.is_torus = arguments.size() > 3;
+  if (plan.is_torus && arguments[3] != "torus") {
+    throw wrong("the last argument", arguments[3], "torus");
+  }
+  return command;
+}
+
+}  // namespace adaptive_localization
