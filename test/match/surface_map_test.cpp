@@ -78,6 +78,25 @@ TEST(SurfaceMap, FindsTheSideThatABeamHit) {
   }
 }
 
+/// As many as have a number of 16 bits, and more.
+TEST(SurfaceMap, TellsThousandsOfSurfacesApart) {
+  constexpr int kRows = 220;
+  for (const int columns : {297, 298, 310}) {
+    std::vector<Segment> pieces;  // free space above each
+    for (int i = 0; i < kRows * columns; ++i) {
+      const Eigen::Vector2d a(0.1 * (i % columns) + 0.02, 0.1 * (i / columns) + 0.05);
+      pieces.push_back({a, a + Eigen::Vector2d(0.06, 0.0)});
+    }
+    const SurfaceMap surfaces(Lattice(640, 460, 0.05, {}), pieces);
+    ASSERT_EQ(surfaces.surfaces().size(), pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); i += 11) {
+      const Eigen::Vector2d middle = (pieces[i].a + pieces[i].b) / 2.0;
+      const Surface* surface = surfaces.hitBy(middle + Eigen::Vector2d(0.0, 0.04), middle);
+      ASSERT_EQ(surface, &surfaces.surfaces()[i]) << i << " of " << pieces.size();
+    }
+  }
+}
+
 TEST(SurfaceMap, HasNothingWhereThereIsNothing) {
   const SurfaceMap empty(*toyWorld({"....", "...."}, 0.05));
   EXPECT_TRUE(empty.surfaces().empty());
