@@ -7,13 +7,21 @@
 namespace adaptive_localization {
 namespace {
 
+/// Nothing where nobody was found.
+std::string errorsOf(const SwarmFixCell& cell) {
+  if (cell.found == 0) return "| |";
+  char text[100];
+  std::snprintf(text, sizeof text, "| %.1f | %.1f ± %.1f", cell.error_mm, cell.matched_mm,
+                cell.matched_std_mm);
+  return text;
+}
+
 std::string rowOf(const SwarmFixCell& cell) {
-  char row[200];
-  std::snprintf(
-      row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f | %.1f | %.1f ± %.1f | %.2f | %.2f |\n",
-      cell.start.c_str(), cell.core.c_str(), cell.searchers, 100.0 * cell.found / cell.runs,
-      100.0 * cell.reached / cell.runs, cell.meanIterations(), cell.error_mm, cell.matched_mm,
-      cell.matched_std_mm, cell.ms_median, cell.ms_mean);
+  char row[300];
+  std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f %s | %.2f | %.2f |\n",
+                cell.start.c_str(), cell.core.c_str(), cell.searchers,
+                100.0 * cell.found / cell.runs, 100.0 * cell.reached / cell.runs,
+                cell.meanIterations(), errorsOf(cell).c_str(), cell.ms_median, cell.ms_mean);
   return row;
 }
 

@@ -44,6 +44,12 @@ TEST(SwarmFixes, AreToldInATable) {
   EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.05 | 0.062 |"));
 }
 
+TEST(SwarmFixes, NoErrorIsToldWhereNobodyWasFound) {
+  const std::string table =
+      toTable({{"free", "pso", 20, 2, 0, 0, {500, 500}, 0.0, 0.0, 0.0, 1.0, 1.5}});
+  EXPECT_THAT(table, testing::HasSubstr("| free | pso | 20 | 0 | 0 | 500.0 | | | 1.00 | 1.50 |"));
+}
+
 TEST(SwarmFixes, NameTheWorldOrStartThatIsNotThere) {
   SwarmFixPlan plan;
   plan.world = "nosuch.yaml";
