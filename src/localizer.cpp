@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "adaptive_localization/parallel.hpp"
-#include "estimate_refiner.hpp"
+#include "filters/estimate_refiner.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -44,12 +44,7 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   Rivals rivals(setup.rivals, ground.map, ground.distance_field, ground.places);
   if (rivals_) rivals.goOnFrom(*rivals_);
 
-  std::unique_ptr<EstimateRefiner> refiner;
-  if (setup.options.refine) {
-    refiner =
-        std::make_unique<EstimateRefiner>(makeScanMatcher(setup.match, *ground.map),
-                                          makeMotionModel(setup.parameters.read<MotionOptions>()));
-  }
+  auto refiner = setup.options.refine ? makeEstimateRefiner(context) : nullptr;
 
   setThreads(setup.options.threads);
   setup_ = std::move(setup);

@@ -66,7 +66,7 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.rivals = parameters.read<RivalsOptions>();
-  setup.match = parameters.read<MatchOptions>();
+  parameters.read<MatchOptions>();              // they are known, whoever needs them
   for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
     for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
   }

@@ -135,7 +135,6 @@ class Localizer {
     ScanOptions scan;
     ConfidenceOptions confidence;
     RivalsOptions rivals;
-    MatchOptions match;
     Parameters parameters;
   };
 

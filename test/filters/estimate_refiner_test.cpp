@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../src/estimate_refiner.hpp"
+#include "../../src/filters/estimate_refiner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
-#include "filters/pose_kalman.hpp"
+#include "pose_kalman.hpp"
 
 namespace adaptive_localization {
 
@@ -38,5 +38,8 @@ class EstimateRefiner {
   bool is_on_{false};  // was matched with the last scan
   std::optional<Match> match_;
 };
+
+/// By the options of matching and motion. Throws std::invalid_argument as makeScanMatcher().
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context);
 
 }  // namespace adaptive_localization

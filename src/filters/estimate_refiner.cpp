@@ -64,4 +64,10 @@ bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) 
   return isNear(estimate, kalman_.mean());
 }
 
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context) {
+  return std::make_unique<EstimateRefiner>(
+      makeScanMatcher(context.parameters.read<MatchOptions>(), *context.map),
+      makeMotionModel(context.parameters.read<MotionOptions>()));
+}
+
 }  // namespace adaptive_localization
