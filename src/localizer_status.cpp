@@ -13,6 +13,12 @@ constexpr double kLostFit = 0.2;   // below: the scan contradicts the map
 constexpr double kFoundFit = 0.5;  // above: it confirms it
 constexpr int kLostScans = 2;      // contradictions in a row that raise doubts
 
+bool isSmallStep(const Pose2& from, const Pose2& to) {
+  constexpr double kSmall = 0.1;  // m, rad
+  const Pose2 step = between(from, to);
+  return std::hypot(step.x, step.y) < kSmall && std::abs(step.theta) < kSmall;
+}
+
 /// Particles around places, as many around each as its mass says.
 Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
   Particles particles(count);
@@ -60,25 +66,25 @@ bool Localizer::gateOpens(const Pose2& motion, const Observations& observations)
 /// that explains the scan well, is likelier than all others: what a filter makes of a blocked laser
 /// is no reason to jump.
 bool Localizer::isCorrection(const Pose2& T_map_base_by_odometry) const {
-  constexpr double kSmall = 0.1;      // m, rad
   constexpr double kRuledOut = 0.05;  // mass
   constexpr double kLikely = 0.5;     // mass
   constexpr double kWell = 0.1;       // m
   if (!converged_ || last_.status == Status::kTracking) return true;
   if (last_.status != Status::kAmbiguous) return false;
-  const Pose2 moved = between(T_map_base_by_odometry, last_.estimate.T_map_base);
-  if (std::hypot(moved.x, moved.y) < kSmall && std::abs(moved.theta) < kSmall) return true;
+  if (isSmallStep(T_map_base_by_odometry, last_.estimate.T_map_base)) return true;
   return rivals_->leastError() < kWell && rivals_->shareOf(T_map_base_by_odometry) < kRuledOut &&
          rivals_->shareOf(last_.estimate.T_map_base) > kLikely;
 }
 
-/// Where the filter is; or, as long as that is no reason to jump, where odometry says and, with
-/// several places to choose from, what scans make of that.
+/// Where the filter is; or, as long as that is no reason to jump, where odometry says and, if that
+/// is one of two or three likely places, what scans make of it.
 Pose2 Localizer::corrected(const Pose2& T_map_base_by_odometry) const {
   if (isCorrection(T_map_base_by_odometry)) return last_.estimate.T_map_base;
+  constexpr double kFair = 0.3;  // mass
   if (last_.status != Status::kAmbiguous) return T_map_base_by_odometry;
   for (const Mode& mode : rivals_->modes()) {
-    if (areSamePlace(mode.T_map_base, T_map_base_by_odometry)) return mode.T_map_base;
+    const bool is_held = isSmallStep(T_map_base_by_odometry, mode.T_map_base);
+    if (is_held && mode.mass > kFair) return mode.T_map_base;
   }
   return T_map_base_by_odometry;
 }
