@@ -35,8 +35,8 @@ OccupancyGrid rasterize(const FloorPlan& plan, double resolution, double turn) {
   const std::vector<Polygon> solids = solidsOf(plan);
   std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kUnknown);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (isFree(plan.outline, solids, lattice.centre(lattice.cell(i))))
-      cells[i] = OccupancyGrid::kFree;
+    const Eigen::Vector2d centre = lattice.centre(lattice.cell(i));
+    if (isFree(plan.outline, solids, centre)) cells[i] = OccupancyGrid::kFree;
   }
   for (const auto& surface : surfacesOf(plan)) {
     const Eigen::Vector2d along = surface.b - surface.a;

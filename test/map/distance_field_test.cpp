@@ -75,5 +75,22 @@ TEST(DistanceField, IsLookedUpByPointsOfATurnedMap) {
   EXPECT_DOUBLE_EQ(field.at(Eigen::Vector2d(4.5, 7.5)), 2.0);  // two columns on
 }
 
+TEST(DistanceField, RunsStraightBetweenTheCentresOfCells) {
+  const DistanceField field(*toyWorld({"....#"}, 0.5, {1.0, 2.0, 0.7}));
+  const Lattice& lattice = field.lattice();
+  const auto towards = [&](double share) -> Eigen::Vector2d {
+    return (1.0 - share) * lattice.centre({1, 0}) + share * lattice.centre({2, 0});
+  };
+  EXPECT_NEAR(field.between(towards(0.0)), 1.5, 1e-9);
+  EXPECT_NEAR(field.between(towards(0.25)), 1.375, 1e-9);
+  EXPECT_NEAR(field.between(towards(1.0)), 1.0, 1e-9);
+  EXPECT_NEAR(field.between(lattice.centre({4, 0})), 0.0, 1e-9);
+  for (const double share : {0.499, 0.501}) {  // where the nearest cell changes
+    EXPECT_NEAR(field.between(towards(share)), 1.5 - 0.5 * share, 1e-9) << share;
+  }
+  EXPECT_GT(field.between({-50.0, 0.0}), 100.0) << "outside";
+  EXPECT_GT(field.between({std::nan(""), 0.0}), 100.0);
+}
+
 }  // namespace
 }  // namespace adaptive_localization
