@@ -93,11 +93,13 @@ void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& 
   broadcaster_.sendTransform(transform);
 }
 
-void EstimatePublisher::publishStatus(const Localization& answer, const Match* match,
-                                      Eigen::Index particles, double ms_per_update,
-                                      const ScanSource::Counts& scans) {
+void EstimatePublisher::publishStatus(const Localization& answer, const ros::Time& stamp,
+                                      const Match* match, Eigen::Index particles,
+                                      double ms_per_update, const ScanSource::Counts& scans) {
   DiagnosticStatus status =
       makeStatus("localization", levelOf(answer.status), toText(answer.status));
+  add(status, "stamp", print("%u.%09u", stamp.sec, stamp.nsec));
+  add(status, "updated", answer.updated ? "yes" : "no");
   add(status, "confidence", print("%.3f", answer.confidence));
   const auto& modes = answer.modes;
   add(status, "modes", std::to_string(modes.size()));

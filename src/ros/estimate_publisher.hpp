@@ -26,10 +26,10 @@ class EstimatePublisher {
   /// The leaders of a swarm; none, once, when a filter has no more: the topic is latched.
   void publishLeaders(const Particles& leaders, const ros::Time& stamp);
 
-  /// The status in words with its figures. `ms_per_update` is that of the last update, and so is
-  /// the match, if there is one.
-  void publishStatus(const Localization& answer, const Match* match, Eigen::Index particles,
-                     double ms_per_update, const ScanSource::Counts& scans);
+  /// The status in words with its figures, after the scan of this stamp. `ms_per_update` is that
+  /// of the last update, and so is the match, if there is one.
+  void publishStatus(const Localization& answer, const ros::Time& stamp, const Match* match,
+                     Eigen::Index particles, double ms_per_update, const ScanSource::Counts& scans);
 
   /// Time jumped back: stamps that were used may come again.
   void forgetStamps() { sent_ = {}; }

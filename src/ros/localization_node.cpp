@@ -98,7 +98,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     pose_keeper_.keep({answer.T_map_base, answer.estimate.covariance}, stamp);
   }
   const Match* match = localizer_->match();
-  publisher_.publishStatus(answer, match, particles.size(), ms_per_update_, scans_.counts());
+  publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts());
   display_.show(answer, scan, match, localizer_->places(), stamp);
   return true;
 }

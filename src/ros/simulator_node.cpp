@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kClockEpoch = 100.0;  // s: simulated stamps are not near 0, which means "unset"
 constexpr double kTick = 0.01;         // s of real time between two looks at the clock
+constexpr double kCatchUp = 0.2;       // s of real time; what a slow machine lost before stays lost
+constexpr int kQueue = 2000;           // what catching up sends at once, at the highest of speeds
 
 SimulatorNodeOptions readOptions(const Parameters& parameters) {
   SimulatorNodeOptions defaults;
@@ -53,9 +55,9 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
     ROS_WARN("Unknown parameter '%s' is ignored", key.c_str());
   }
   if (options_.publish_clock) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
-  odometry_ = node.advertise<nav_msgs::Odometry>("odom", 10);
-  scan_ = node.advertise<sensor_msgs::LaserScan>("scan", 10);
-  truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", 10);
+  odometry_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
+  scan_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
+  truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
   if (options_.publish_laser_tf) publishLaserFrame();
   command_ = node.subscribe("cmd_vel", 1, &SimulatorNode::onCommand, this);
@@ -68,7 +70,6 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
 }
 
 void SimulatorNode::advance() {
-  constexpr double kCatchUp = 0.2;  // s of real time; what a slow machine lost before stays lost
   double behind =
       (ros::WallTime::now() - wall_epoch_).toSec() - simulation_.time() / options_.speed;
   if (behind > kCatchUp) {

@@ -9,7 +9,7 @@ import roslib.packages
 import rospy
 import tf2_ros
 from geometry_msgs.msg import TransformStamped, Twist
-from localization_case import planar, wrap
+from localization_case import AT_LAST, planar, wrap
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 
@@ -32,7 +32,7 @@ class Programs:
         for process in reversed(self.running):
             process.terminate()
         for process in self.running:
-            process.wait(10)
+            process.wait(AT_LAST)
 
 
 class Drive:

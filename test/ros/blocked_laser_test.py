@@ -9,8 +9,8 @@ import sys
 import rospy
 import rostest
 from geometry_msgs.msg import Pose
-from localization_case import initial_pose, planar
-from toy_robot import ToyRobotCase, room
+from localization_case import planar
+from toy_robot import ToyRobotCase
 
 
 class BlockedLaser(ToyRobotCase):
@@ -26,17 +26,14 @@ class BlockedLaser(ToyRobotCase):
         return message
 
     def test_no_jump_while_the_laser_is_blocked(self):
-        self.maps.publish(room())
-        self.wait_for_log("Map of")
-        self.initial_poses.publish(initial_pose(*self.pose))
-        self.wait_for_log("Initial pose")
+        self.localize()
         self.steps(20, (0.02, 0.0, 0.05))
-        self.wait_for(lambda: self.status() == "tracking", "tracking")
+        self.assertEqual(self.status(), "tracking")
 
         for blocked_at in [0.3, 0.1, 1.0]:  # m
             with self.subTest(blocked_at=blocked_at):
+                before = planar_of(self.corrections[-1])
                 self.forget()
-                before = planar_of(self.tf.lookup_transform("map", "odom", rospy.Time(0)))
                 self.blocked_at = blocked_at
                 self.steps(5, (0.04, 0.0, 0.15))
                 self.statuses.clear()

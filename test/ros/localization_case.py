@@ -11,6 +11,10 @@ from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry
 
+# Not what a test is about: so that one in which something never comes ends at all. What has to come
+# soon is checked by the stamps of messages, whatever the machine has to do besides.
+AT_LAST = 300.0  # s of real time
+
 
 def yaw_of(q):
     return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
@@ -35,6 +39,15 @@ def initial_pose(x, y, yaw, stamp=None, frame="map", variances=(0.05, 0.05, 0.02
     message.pose.pose.orientation.w = math.cos(yaw / 2)
     message.pose.covariance[0], message.pose.covariance[7], message.pose.covariance[35] = variances
     return message
+
+
+def values_of(status):
+    return {v.key: v.value for v in status.values}
+
+
+def stamp_of(status):
+    """The stamp of the scan that a status of the node answers, s."""
+    return float(values_of(status)["stamp"])
 
 
 class LocalizationCase(unittest.TestCase):
@@ -84,26 +97,39 @@ class LocalizationCase(unittest.TestCase):
                                abs(math.degrees(wrap(yaw - truth[2])))))
         return errors
 
-    def wait_for(self, condition, what, seconds=30.0):
-        """Waits, in real time, until a condition holds."""
-        end = time.time() + seconds
+    def wait_for(self, condition, what, pause=0.05):
+        """Waits until a condition holds, however long that takes."""
+        end = time.time() + AT_LAST
         while time.time() < end and not rospy.is_shutdown():
             result = condition()
             if result:
                 return result
-            time.sleep(0.05)
-        self.fail("waited %.0f s for %s; status: %s" % (
-            seconds, what, self.statuses[-1].message if self.statuses else "none"))
+            time.sleep(pause)
+        self.fail("waited %.0f s for %s; status: %s" % (AT_LAST, what, self.status() or "none"))
 
-    def wait_for_time(self, simulated_seconds, seconds=60.0):
-        end = rospy.get_time() + simulated_seconds
-        self.wait_for(lambda: rospy.get_time() >= end, "time to pass", seconds)
+    def wait_for_time(self, seconds):
+        """Simulated ones."""
+        end = rospy.get_time() + seconds
+        self.wait_for(lambda: rospy.get_time() >= end, "time to pass")
+
+    def wait_for_answers(self, seconds):
+        """To all scans of so many simulated seconds from now on."""
+        end = rospy.get_time() + seconds
+        self.wait_for(lambda: self.statuses and stamp_of(self.statuses[-1]) >= end, "answers")
+
+    def wait_for_param(self, name, is_wanted=lambda value: True):
+        """The parameter's value; the node writes parameters when it finds the time."""
+        def is_written():
+            value = rospy.get_param(name, None)
+            return value is not None and is_wanted(value)
+        self.wait_for(is_written, "parameter " + name)
+        return rospy.get_param(name)
 
     def status(self):
         return self.statuses[-1].message if self.statuses else ""
 
     def status_values(self):
-        return {v.key: v.value for v in self.statuses[-1].values} if self.statuses else {}
+        return values_of(self.statuses[-1]) if self.statuses else {}
 
     def is_accurate(self, since, metres=0.15, degrees=5.0, count=5):
         """The last few poses are right."""

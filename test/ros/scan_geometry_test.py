@@ -23,6 +23,8 @@ class ScanGeometry(ToyRobotCase):
             for _ in range(20):
                 self.step((0.02, 0.0, 0.05))
             self.steps(10, (-0.03, 0.0, -0.05))
+            if grids > 0:
+                self.wait_for_log("Energy grid ready")
             self.assertEqual(len(self.logged("Building the energy grid")), grids, self.logs)
             self.assertEqual(len(self.logged("Energy grid ready")), grids, self.logs)
             self.assertEqual(self.status(), "tracking")

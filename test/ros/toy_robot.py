@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A robot without a simulator: transforms, scans and the map of an L-shaped room are computed and
-published by the test, with stamps of its own choice, so that a test is quick and exact."""
+published by the test, with stamps of its own choice. It does not go on before the node has answered
+a scan, so that a test is quick and exact, whatever the machine has to do besides."""
 import math
+import time
 
 import rospy
 import tf2_ros
 from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped, TransformStamped
 from diagnostic_msgs.msg import DiagnosticArray
-from localization_case import LocalizationCase
+from localization_case import LocalizationCase, initial_pose, stamp_of
 from nav_msgs.msg import OccupancyGrid
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
@@ -74,26 +76,42 @@ class ToyRobotCase(LocalizationCase):
         self.pose = (1.5, 1.0, 0.3)
         self.odometry = (0.0, 0.0, 0.0)
         self.time = rospy.Time.now()
+        self.way = {}  # where the robot was, by stamp
         self.logs, self.clouds, self.corrections, self.diagnostics = [], [], [], []
-        logs = rospy.Subscriber("/rosout", Log, lambda log: self.logs.append(log.msg))
         self.subscribers += [
-            logs,
+            rospy.Subscriber("/rosout", Log, lambda log: self.logs.append(log.msg)),
             rospy.Subscriber("particlecloud", PoseArray, self.clouds.append),
             rospy.Subscriber("/tf", TFMessage, self.on_tf),
             rospy.Subscriber("/diagnostics", DiagnosticArray, self.diagnostics.append)]
-        self.wait_for(lambda: logs.get_num_connections() >= 2, "the node's log and our own")
-        self.scans = self.publisher("scan", LaserScan)
-        self.initial_poses = self.publisher("initialpose", PoseWithCovarianceStamped)
         self.maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
         self.broadcaster = tf2_ros.TransformBroadcaster()
         self.static_broadcaster = tf2_ros.StaticTransformBroadcaster()
         self.static_broadcaster.sendTransform(
             transform("base_link", "laser", self.MOUNT, rospy.Time.now()))
+        self.publishers = [self.maps, self.broadcaster.pub_tf, self.static_broadcaster.pub_tf]
+        self.scans = self.publisher("scan", LaserScan)
+        self.initial_poses = self.publisher("initialpose", PoseWithCovarianceStamped)
+        for topic in self.publishers[1:] + self.subscribers:
+            self.wait_for_connections(topic)
+
+    def tearDown(self):
+        """A node that is started next gets none of this."""
+        super().tearDown()
+        for publisher in self.publishers:
+            publisher.unregister()
 
     def publisher(self, topic, kind):
         publisher = rospy.Publisher(topic, kind, queue_size=100)
-        self.wait_for(lambda: publisher.get_num_connections() > 0, "a subscriber of " + topic)
+        self.publishers.append(publisher)
         return publisher
+
+    def wait_for_connections(self, topic):
+        """To the node, and to ourselves where we listen to what we publish."""
+        ours = ["/tf", "/tf_static", "/rosout"]
+        if getattr(topic, "name", "/base_pose_ground_truth") == "/base_pose_ground_truth":
+            return  # nobody knows the truth but we
+        self.wait_for(lambda: topic.get_num_connections() >= 1 + (topic.name in ours),
+                      "the node on " + topic.name)
 
     def on_tf(self, message):
         self.corrections += [t for t in message.transforms if t.header.frame_id == "map"]
@@ -112,23 +130,62 @@ class ToyRobotCase(LocalizationCase):
     def send_odometry(self):
         self.broadcaster.sendTransform(transform("odom", "base_link", self.odometry, self.time))
 
-    def step(self, motion=(0.0, 0.0, 0.0), seconds=0.1):
-        """Moves, then sends odometry and a scan; waits a moment for the answer."""
+    def move(self, motion=(0.0, 0.0, 0.0), seconds=0.1):
         self.time += rospy.Duration(seconds)
         self.pose = compose(self.pose, motion)
         self.odometry = compose(self.odometry, motion)
+        self.way[round(self.time.to_sec(), 3)] = self.pose
+
+    def step(self, motion=(0.0, 0.0, 0.0), seconds=0.1):
+        """Moves, sends odometry and a scan, and waits for all that the node answers."""
+        self.move(motion, seconds)
+        received = [len(messages) for messages in self.answers()]
+        sent = self.send()
+
+        def is_answered():
+            nonlocal sent
+            if time.time() > sent + 3.0:  # it is lost if it overtook tf, as after a jump of time
+                self.move()
+                sent = self.send()
+            return self.has_answered(received, seconds > 0.0)
+
+        self.wait_for(is_answered, "the answer to a scan", pause=0.002)
+
+    def send(self):
+        """Odometry and scan; returns when, s of real time."""
         self.send_odometry()
         self.scans.publish(self.scan_message())
-        rospy.sleep(0.03)
+        return time.time()
+
+    def answers(self):
+        return self.statuses, self.corrections, self.poses, self.clouds
+
+    def has_answered(self, received, is_new):
+        """Each scan is answered by a status, which says whether a pose comes with it; a new stamp
+        by a transform as well, once the robot is somewhere."""
+        statuses, corrections, poses, clouds = [
+            len(now) - before for now, before in zip(self.answers(), received)]
+        if statuses == 0 or abs(stamp_of(self.statuses[-1]) - self.time.to_sec()) > 1e-6:
+            return False
+        is_updated = self.status_values()["updated"] == "yes"
+        is_placed = is_new and self.status() != "uninitialised"
+        return corrections >= is_placed and poses >= is_updated and clouds >= is_updated
 
     def steps(self, count, motion=(0.0, 0.0, 0.0)):
         for _ in range(count):
             self.step(motion)
-        rospy.sleep(0.3)
+
+    def localize(self):
+        """The node gets the map and is told where the robot is; then it knows of other places."""
+        self.maps.publish(room())
+        self.wait_for_log("Map of")
+        self.initial_poses.publish(initial_pose(*self.pose))
+        self.wait_for_log("Initial pose")
+        self.step()
+        self.wait_for_log("Energy grid ready")
 
     def forget(self):
         """Forgets what was received."""
-        rospy.sleep(0.2)
         for messages in [self.poses, self.clouds, self.corrections, self.logs, self.diagnostics]:
             messages.clear()
 
@@ -147,5 +204,7 @@ class ToyRobotCase(LocalizationCase):
         return None
 
     def error(self):
-        """Metres from the last pose to the truth."""
-        return math.hypot(self.poses[-1][1] - self.pose[0], self.poses[-1][2] - self.pose[1])
+        """Metres from the last pose to where the robot was then."""
+        stamp, x, y, _ = self.poses[-1]
+        truth = self.way[round(stamp, 3)]
+        return math.hypot(x - truth[0], y - truth[1])
