@@ -16,7 +16,7 @@ import rostest
 import tf2_ros
 from amcl_protocol import PACKAGE, Drive, Programs, TwoLasers
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from localization_case import initial_pose, wrap, yaw_of
+from localization_case import AT_LAST, initial_pose, wrap, yaw_of
 from std_srvs.srv import Empty
 
 
@@ -69,7 +69,7 @@ class AmclProtocol(unittest.TestCase):
             where = dict(zip(("initial_pose_x", "initial_pose_y", "initial_pose_a"),
                              numbers(SCENE.start)))
         self.programs.start("adaptive_localization", **where)
-        rospy.wait_for_service("global_localization", 20)
+        rospy.wait_for_service("global_localization", AT_LAST)
         arguments = []
         if SCENE.two_lasers:
             arguments = ["scan:=whole_scan"]
@@ -92,10 +92,10 @@ class AmclProtocol(unittest.TestCase):
             self.pose.publish(initial_pose(*now[1:], rospy.Time.from_sec(now[0]),
                                            variances=(0.25, 0.25, 0.0685)))
 
-    def wait(self, condition, what, seconds=25.0):
-        end = time.time() + seconds
+    def wait(self, condition, what):
+        end = time.time() + AT_LAST
         while not condition():
-            self.assertLess(time.time(), end, "waited %.0f s for %s" % (seconds, what))
+            self.assertLess(time.time(), end, "waited %.0f s for %s" % (AT_LAST, what))
             time.sleep(0.01)
 
     def error(self, stamp, x, y, yaw):
@@ -112,7 +112,7 @@ class AmclProtocol(unittest.TestCase):
         self.wait(lambda: not drive.route, "the end of the route")
         last = drive.notes[-1][0]
         self.wait(lambda: self.tf.can_transform("map", "base_link", rospy.Time.from_sec(last)),
-                  "tf at the end", 10)
+                  "tf at the end")
         length = sum(math.dist(a, b) for a, b in zip(
             [numbers(SCENE.start)[:2]] + list(map(numbers, SCENE.route)),
             map(numbers, SCENE.route)))

@@ -8,7 +8,7 @@ import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
-from localization_case import LocalizationCase
+from localization_case import AT_LAST, LocalizationCase
 from rosgraph_msgs.msg import Log
 
 # What 'rosnode info' of a running amcl lists, and the types.
@@ -54,9 +54,9 @@ class AmclStock(LocalizationCase):
 
     def test_it_localizes_and_complains_about_nothing(self):
         self.wait_for(lambda: self.errors(), "a first pose")
-        self.wait_for_time(5)  # the robot drives on from the initial pose while the node starts
+        self.wait_for_answers(5)  # the robot drives on from the initial pose while the node starts
         begin = rospy.get_time()
-        self.wait_for_time(25)
+        self.wait_for_answers(25)
         errors = self.errors(begin)
         self.assertGreater(len(errors), 20)
         for stamp, metres, degrees in errors:
@@ -84,12 +84,13 @@ class AmclStock(LocalizationCase):
     def test_pose_and_cloud_are_latched(self):
         self.wait_for(lambda: self.poses, "a first pose")
         for topic, kind in [("amcl_pose", PoseWithCovarianceStamped), ("particlecloud", PoseArray)]:
-            message = rospy.wait_for_message(topic, kind, 5)
+            message = rospy.wait_for_message(topic, kind, AT_LAST)
             self.assertEqual(message.header.frame_id, "map")
             self.assertEqual(message._connection_header["latching"], "1", topic)
 
     def test_parameters_are_left_as_given_and_the_pose_is_kept(self):
         self.wait_for(lambda: KEPT <= set(rospy.get_param("/amcl")), "the kept pose")
+        self.wait_for(lambda: FIELDS <= set(rospy.get_param("/amcl")), "the options in effect")
         found = rospy.get_param("/amcl")
         self.assertEqual((len(FIELDS), FIELDS - set(found)), (41, set()))
         for key, value in {"laser_max_beams": 30, "max_particles": 5000, "odom_alpha3": 0.8,

@@ -21,7 +21,7 @@ class InitialPose(LocalizationCase):
         publisher.publish(initial_pose(0.8, 0.8, 1.57, frame="odom"))
         publisher.publish(initial_pose(float("nan"), 0.8, 1.57))
         publisher.publish(initial_pose(0.8, 0.8, 1.57, variances=(-1, 0, 0)))
-        self.wait_for_time(2)
+        self.wait_for_answers(2)
         self.assertEqual(self.status(), "uninitialised")
 
         x, y, yaw = self.truths[-1][1:]

@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The robot is carried away while it drives, and nobody tells the node: it notices, says so, and
 finds the robot within seconds; likewise when it is asked to look anywhere."""
-import math
 import sys
 
 import rospy
 import rostest
-from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import PoseStamped
 from localization_case import LocalizationCase
 from std_srvs.srv import Empty
@@ -20,27 +18,12 @@ GLOBAL_PATIENCE = 2.0  # s, likewise after global_localization
 class Kidnap(LocalizationCase):
     def setUp(self):
         super().setUp()
-        self.words = []  # (stamp, status)
-        self.subscribers.append(
-            rospy.Subscriber("adaptive_localization/status", DiagnosticStatus,
-                             lambda status: self.words.append((rospy.get_time(), status.message))))
         self.kidnaps = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
-        self.wait_for(lambda: self.kidnaps.get_num_connections() > 0, "the simulator")
         self.wait_for(lambda: self.is_accurate(0.0) and self.status() == "tracking", "tracking")
-
-    def carry_to(self, x, y, yaw):
-        message = PoseStamped()
-        message.header.frame_id = "map"
-        message.pose.position.x, message.pose.position.y = x, y
-        message.pose.orientation.z = math.sin(yaw / 2)
-        message.pose.orientation.w = math.cos(yaw / 2)
-        self.kidnaps.publish(message)
-        self.wait_for(lambda: math.dist(self.truths[-1][1:3], (x, y)) < 0.3, "the robot carried")
 
     def next_word(self, since, is_wanted):
         """The first status, with its stamp, that is of this kind."""
-        return next((word for word in list(self.words) if word[0] > since and is_wanted(word[1])),
-                    None)
+        return next((word for word in self.words(since) if is_wanted(word[1])), None)
 
     def assert_found_within(self, patience, begin):
         """From this stamp on the node does not know, then it does, and what it says is true."""
@@ -59,9 +42,7 @@ class Kidnap(LocalizationCase):
     def test_a_carried_robot_is_found_again(self):
         for place in PLACES:
             with self.subTest(place=place):
-                begin = rospy.get_time()
-                self.carry_to(*place)
-                self.assert_found_within(PATIENCE, begin)
+                self.assert_found_within(PATIENCE, self.carry(self.kidnaps, *place))
 
     def test_global_localization_takes_two_seconds(self):
         for _ in range(5):

@@ -8,7 +8,7 @@ import unittest
 import rospy
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticStatus
-from geometry_msgs.msg import PoseWithCovarianceStamped
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry
 
 # Not what a test is about: so that one in which something never comes ends at all. What has to come
@@ -130,6 +130,32 @@ class LocalizationCase(unittest.TestCase):
 
     def status_values(self):
         return values_of(self.statuses[-1]) if self.statuses else {}
+
+    def carry(self, kidnaps, x, y, yaw=0.0):
+        """The robot is lifted and put down there; returns from which stamp on, s."""
+        message = PoseStamped()
+        message.header.frame_id = "map"
+        message.pose.position.x, message.pose.position.y = x, y
+        message.pose.orientation.z, message.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+        self.wait_for(lambda: kidnaps.get_num_connections() > 0, "the simulator")
+        known = len(self.truths)
+        kidnaps.publish(message)
+
+        def stamp_there():
+            return next((truth[0] for truth in self.truths[known:]
+                         if math.dist(truth[1:3], (x, y)) < 0.3), None)
+
+        return self.wait_for(stamp_there, "the robot carried")
+
+    def words(self, since):
+        """(stamp, status) of the scans since a stamp."""
+        words = []
+        for status in reversed(list(self.statuses)):
+            stamp = stamp_of(status)
+            if stamp < since:
+                break
+            words.append((stamp, status.message))
+        return words[::-1]
 
     def is_accurate(self, since, metres=0.15, degrees=5.0, count=5):
         """The last few poses are right."""

@@ -11,6 +11,7 @@ import unittest
 import roslib.packages
 import rospy
 import rostest
+from localization_case import AT_LAST
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap, LoadMap, LoadMapResponse
 
@@ -34,20 +35,20 @@ class MapPublisher(unittest.TestCase):
         return path
 
     def change(self, path):
-        rospy.wait_for_service("change_map", 10)
+        rospy.wait_for_service("change_map", AT_LAST)
         return rospy.ServiceProxy("change_map", LoadMap)(path)
 
     def test_1_map_is_latched_and_served(self):
-        grid = rospy.wait_for_message("map", OccupancyGrid, 10)
+        grid = rospy.wait_for_message("map", OccupancyGrid, AT_LAST)
         self.assertEqual(grid.header.frame_id, "site")
         self.assertEqual(len(grid.data), grid.info.width * grid.info.height)
         self.assertEqual(set(grid.data), {0, 100, -1})
-        self.assertEqual(rospy.wait_for_message("map_metadata", MapMetaData, 10), grid.info)
-        rospy.wait_for_service("static_map", 10)
+        self.assertEqual(rospy.wait_for_message("map_metadata", MapMetaData, AT_LAST), grid.info)
+        rospy.wait_for_service("static_map", AT_LAST)
         self.assertEqual(rospy.ServiceProxy("static_map", GetMap)().map, grid)
 
     def test_2_bad_maps_are_refused_with_a_reason_and_the_old_one_stays(self):
-        before = rospy.wait_for_message("map", OccupancyGrid, 10)
+        before = rospy.wait_for_message("map", OccupancyGrid, AT_LAST)
         cases = [
             ("/no/such/map.yaml", LoadMapResponse.RESULT_MAP_DOES_NOT_EXIST),
             (self.write("lost.yaml", image="lost.pgm"), LoadMapResponse.RESULT_MAP_DOES_NOT_EXIST),
@@ -58,7 +59,7 @@ class MapPublisher(unittest.TestCase):
             response = self.change(path)
             self.assertEqual(response.result, result, path)
             self.assertEqual(len(response.map.data), 0)
-        self.assertEqual(rospy.wait_for_message("map", OccupancyGrid, 10), before)
+        self.assertEqual(rospy.wait_for_message("map", OccupancyGrid, AT_LAST), before)
 
     def test_3_map_is_changed(self):
         for url in [self.write("good.yaml"), "file://" + self.write("good.yaml")]:
@@ -68,7 +69,7 @@ class MapPublisher(unittest.TestCase):
             self.assertAlmostEqual(response.map.info.resolution, 0.1, places=6)
             self.assertEqual(response.map.info.origin.position.y, -2)
             self.assertAlmostEqual(response.map.info.origin.orientation.z, 0.24740396, places=6)
-            published = rospy.wait_for_message("map", OccupancyGrid, 10)
+            published = rospy.wait_for_message("map", OccupancyGrid, AT_LAST)
             self.assertEqual(published.data, response.map.data)
 
     def test_start_up_errors_are_one_fatal_line(self):
@@ -78,7 +79,7 @@ class MapPublisher(unittest.TestCase):
                 (["/no/such/map.yaml"], "map file '/no/such/map.yaml' cannot be opened"),
                 ([self.write("zero.yaml", resolution=0)], "'resolution': got '0', expected")]:
             done = subprocess.run([program, "__name:=map_publisher_wrong"] + arguments,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20)
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=AT_LAST)
             output = done.stdout.decode()
             self.assertEqual(done.returncode, 1, output)
             self.assertEqual(output.count("FATAL"), 1, output)

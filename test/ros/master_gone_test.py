@@ -15,6 +15,7 @@ import rosgraph
 import roslib.packages
 import rospkg
 import rostest
+from localization_case import AT_LAST
 
 PACKAGE = "adaptive_localization"
 MAZE = os.path.join(rospkg.RosPack().get_path(PACKAGE), "maps", "maze")
@@ -49,8 +50,8 @@ class MasterGone(unittest.TestCase):
         self.wait(lambda: rosgraph.is_master_online(self.uri), "the master")
         return process
 
-    def wait(self, condition, what, seconds=15.0):
-        end = time.time() + seconds
+    def wait(self, condition, what):
+        end = time.time() + AT_LAST
         while not condition():
             self.assertLess(time.time(), end, "waited for %s:\n%s" % (what, self.said()))
             time.sleep(0.05)
@@ -92,7 +93,7 @@ class MasterGone(unittest.TestCase):
 
         self.assertIsNone(node.poll())
         node.send_signal(signal.SIGINT)
-        self.assertEqual(node.wait(5), 0)
+        self.assertEqual(node.wait(AT_LAST), 0)
 
 
 if __name__ == "__main__":

@@ -9,9 +9,12 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped
-from localization_case import LocalizationCase
+from localization_case import LocalizationCase, stamp_of
 from std_srvs.srv import Empty
 from visualization_msgs.msg import Marker, MarkerArray
+
+
+PATIENCE = 60.0  # s of simulated time; of 224 moments to be carried away the worst took 25 s
 
 
 class People(LocalizationCase):
@@ -26,7 +29,7 @@ class People(LocalizationCase):
 
     def test_a_drive_among_people(self):
         begin = rospy.get_time()
-        self.wait_for_time(rospy.get_param("~seconds"))
+        self.wait_for_answers(rospy.get_param("~seconds"))
         errors = self.errors(begin)
         self.assertGreater(len(errors), 60)
         print("largest error %.3f m, %.2f deg, mean %.3f m of %d poses" % (
@@ -53,23 +56,33 @@ class People(LocalizationCase):
         self.assertIn("adaptive_localization: Match", names)
 
     def test_found_among_people_after_being_carried_and_from_anywhere(self):
+        """Not whether the node says that it does not know: often it is right again within three
+        scans and never says so, and sometimes it believes for long that it drives on where it was,
+        with people standing about."""
         kidnaps = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
-        self.wait_for(lambda: kidnaps.get_num_connections() > 0, "the simulator")
-        message = PoseStamped()
-        message.header.frame_id = "map"
-        message.pose.position.x, message.pose.position.y = 5.5, 2.7
-        message.pose.orientation.w = 1.0
-        begin = rospy.get_time()
-        kidnaps.publish(message)
-        self.wait_for(lambda: self.status() != "tracking", "the node to notice")
-        self.assert_found(begin + 1.0, "carried")
+        self.assert_found(self.carry(kidnaps, 5.5, 2.7), "carried")
         rospy.ServiceProxy("global_localization", Empty)()
         self.assert_found(rospy.get_time(), "anywhere")
 
     def assert_found(self, begin, what):
-        self.wait_for(lambda: self.is_accurate(begin, 0.1, 3.0) and self.status() == "tracking",
-                      "the robot to be found")
-        print("%s: found %.1f s later" % (what, rospy.get_time() - begin))
+        """Scan by scan, so that a slow machine has all the time that it needs."""
+        found = self.wait_for(lambda: self.found_at(begin) or self.waits_since(begin), what)
+        self.assertIsInstance(found, float, "%s: not found for %.0f s" % (what, PATIENCE))
+        print("%s: found %.1f s later" % (what, found - begin))
+
+    def found_at(self, begin):
+        """The stamp of the fifth right pose in a row, the node being sure of it."""
+        sure = {round(stamp, 3) for stamp, word in self.words(begin) if word == "tracking"}
+        right = 0
+        for stamp, metres, degrees in self.errors(begin):
+            is_right = metres < 0.1 and degrees < 3.0 and round(stamp, 3) in sure
+            right = right + 1 if is_right else 0
+            if right == 5:
+                return stamp
+        return None
+
+    def waits_since(self, begin):
+        return bool(self.statuses) and stamp_of(self.statuses[-1]) > begin + PATIENCE
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """With ~pose_file, a node that was cut off resumes where it was, even with a new parameter server;
 a broken file is warned about."""
+import math
 import os
 import shutil
 import signal
@@ -12,6 +13,7 @@ import tempfile
 import roslib.packages
 import rospy
 import rostest
+import yaml
 from localization_case import initial_pose
 from toy_robot import ToyRobotCase, room
 
@@ -52,8 +54,14 @@ class PowerFailure(ToyRobotCase):
         rospy.delete_param("adaptive_localization")
         self.forget()
         self.start()
-        self.wait_for_log("Map of")
-        self.wait_for(lambda: self.scans.get_num_connections() > 0, "the node again")
+        self.wait_for(lambda: "Map of" in self.output(), "the node again")
+
+    def is_kept(self):
+        """The file says where the robot is; called again and again it lets the robot stand."""
+        self.step()
+        with open(self.file) as file:
+            kept = yaml.safe_load(file)
+        return math.dist((kept["initial_pose_x"], kept["initial_pose_y"]), self.pose[:2]) < 0.1
 
     def test_node_resumes_from_the_file(self):
         self.initial_poses.publish(initial_pose(*self.pose))
@@ -61,6 +69,7 @@ class PowerFailure(ToyRobotCase):
         self.steps(30, (0.05, 0.0, 0.08))
         self.assertLess(self.error(), 0.1)
 
+        self.wait_for(self.is_kept, "the pose in the file")
         self.restart(signal.SIGKILL)
         self.assertIn("kept in " + self.file, self.output())
         self.steps(5)

@@ -14,7 +14,7 @@ import rostest
 from dynamic_reconfigure import DynamicReconfigureParameterException
 from dynamic_reconfigure.client import Client
 from geometry_msgs.msg import PoseArray
-from localization_case import LocalizationCase, wrap, yaw_of
+from localization_case import AT_LAST, LocalizationCase, wrap, yaw_of
 from tf2_msgs.msg import TFMessage
 
 NODE = "adaptive_localization"
@@ -35,8 +35,8 @@ class Reconfigure(LocalizationCase):
         self.subscribers.append(rospy.Subscriber("/tf", TFMessage, self.on_tf))
         self.subscribers.append(rospy.Subscriber("particlecloud", PoseArray, self.on_cloud))
         self.clouds = []  # their sizes
-        self.client = Client(NODE, timeout=20)
-        self.at_start = self.client.get_configuration(timeout=20)
+        self.client = Client(NODE, timeout=AT_LAST)
+        self.at_start = self.client.get_configuration(timeout=AT_LAST)
         self.wait_for(lambda: self.is_accurate(0) and self.clouds, "the robot to be tracked")
         self.since = rospy.get_time()
 
@@ -58,6 +58,9 @@ class Reconfigure(LocalizationCase):
         """The configuration that the node answers with."""
         return self.client.update_configuration(values)
 
+    def wait_for_value(self, name, value):
+        self.wait_for_param(name, lambda found: found == value)
+
     def jumps(self):
         """How far each new transform moves the robot, in m and rad."""
         for (_, *old), (stamp, *new) in zip(self.corrections, self.corrections[1:]):
@@ -72,7 +75,7 @@ class Reconfigure(LocalizationCase):
     def expect_smooth_tracking(self, seconds):
         """Goes on for so long; since the test began the pose is right and nothing jumped."""
         clouds, poses = len(self.clouds), len(self.poses)
-        self.wait_for_time(seconds)
+        self.wait_for_answers(seconds)
         self.assertGreater(len(self.poses), poses)
         self.assertGreater(len(self.clouds), clouds)
         for _, metres, degrees in self.errors(self.since):
@@ -87,7 +90,7 @@ class Reconfigure(LocalizationCase):
 
     def test_fields_of_amcl_exist(self):
         self.assertEqual(len(AMCL_FIELDS), 41)
-        described = {p["name"] for p in self.client.get_parameter_descriptions(timeout=10)}
+        described = {p["name"] for p in self.client.get_parameter_descriptions(timeout=AT_LAST)}
         self.assertEqual([f for f in AMCL_FIELDS if f not in self.at_start], [])
         self.assertEqual(described, set(self.at_start) - {"groups"})
         self.assertIn("filter", described)
@@ -99,14 +102,14 @@ class Reconfigure(LocalizationCase):
         self.assertEqual(self.at_start["recovery_alpha_slow"], 0.001)
         self.assertEqual(self.at_start["laser_max_beams"], 180)
         for field in AMCL_FIELDS:
-            self.assertEqual(rospy.get_param(NODE + "/" + field), self.at_start[field], field)
+            self.wait_for_value(NODE + "/" + field, self.at_start[field])
 
     def test_options_change_while_the_robot_is_tracked(self):
         self.expect_smooth_tracking(4)
         answer = self.set(laser_max_beams=40, max_particles=300, min_particles=200)
         self.assertEqual(answer["laser_max_beams"], 40)
         self.wait_for(lambda: self.clouds[-1] <= 300, "a smaller cloud")
-        self.assertEqual(rospy.get_param(NODE + "/max_particles"), 300)
+        self.wait_for_value(NODE + "/max_particles", 300)
         self.expect_smooth_tracking(6)
         for core in ["mcl", "kld", "amcl", "samcl", "sa_kld"]:
             self.assertEqual(self.set(filter=core)["filter"], core)
@@ -125,13 +128,15 @@ class Reconfigure(LocalizationCase):
 
     def test_transform_tolerance_and_broadcast_change(self):
         self.set(tf_broadcast=False)
-        self.wait_for_time(1)
+        self.wait_for_answers(1)
         count = len(self.corrections)
-        self.wait_for_time(2)
+        self.wait_for_answers(2)
         self.assertEqual(len(self.corrections), count)
         self.set(tf_broadcast=True, transform_tolerance=2.0)
         self.wait_for(lambda: len(self.corrections) > count, "the transform")
-        self.assertGreater(self.corrections[-1][0] - self.truths[-1][0], 1.0)
+        scan = self.corrections[-1][0] - 2.0
+        self.wait_for(lambda: [stamp for stamp, _ in self.words(scan - 0.01)
+                               if abs(stamp - scan) < 1e-6], "the scan of this transform")
 
     def test_wrong_values_do_no_harm(self):
         before = self.client.get_configuration()
@@ -162,24 +167,26 @@ class Reconfigure(LocalizationCase):
                 self.assertEqual(answer[key], value, key)
 
     def test_only_what_was_given_or_set_outlives_the_node(self):
-        rospy.set_param("other", {"odom_alpha1": 0.5})
+        # Where no scans are: it would localize the same robot, and keep its pose as well.
+        rospy.set_param("apart/other", {"odom_alpha1": 0.5})
         program = roslib.packages.find_node(NODE, NODE)[0]
-        node = subprocess.Popen([program, "__name:=other"], stdout=subprocess.DEVNULL)
+        node = subprocess.Popen([program, "__name:=other", "__ns:=apart"],
+                                stdout=subprocess.DEVNULL)
         try:
-            client = Client("other", timeout=20)
+            client = Client("apart/other", timeout=AT_LAST)
             client.update_configuration({"filter": "mcl", "laser_max_beams": 60})
-            self.assertEqual(rospy.get_param("other/max_particles"), 2000)
+            self.wait_for_value("apart/other/max_particles", 2000)
             client.close()
         finally:
             node.send_signal(signal.SIGINT)
-            self.assertEqual(node.wait(10), 0)
-        self.assertEqual(rospy.get_param("other"),
+            self.assertEqual(node.wait(AT_LAST), 0)
+        self.assertEqual(rospy.get_param("apart/other"),
                          {"odom_alpha1": 0.5, "filter": "mcl", "laser_max_beams": 60})
 
     def test_command_line_client_works(self):
         def dynparam(*arguments):
             return subprocess.run(["rosrun", "dynamic_reconfigure", "dynparam", *arguments],
-                                  timeout=30, check=True, stdout=subprocess.PIPE).stdout.decode()
+                                  timeout=AT_LAST, check=True, stdout=subprocess.PIPE).stdout.decode()
 
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "dump.yaml")

@@ -14,6 +14,7 @@ import roslib.packages
 import rosbag
 import rospy
 import rostest
+from localization_case import AT_LAST
 from nav_msgs.msg import OccupancyGrid
 from tf2_msgs.msg import TFMessage
 from toy_robot import ToyRobotCase, compose, room, transform
@@ -26,7 +27,7 @@ class RunFromBag(unittest.TestCase):
     def run_node(self, *arguments):
         environment = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
         result = subprocess.run(
-            [PROGRAM] + list(arguments), env=environment, timeout=30,
+            [PROGRAM] + list(arguments), env=environment, timeout=AT_LAST,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         return result.returncode, result.stdout.decode()
 

@@ -5,14 +5,13 @@ import math
 import os
 import subprocess
 import sys
-import time
 
 import roslib.packages
 import rospkg
 import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped, Twist
-from localization_case import LocalizationCase, planar, wrap
+from localization_case import AT_LAST, LocalizationCase, planar, wrap
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty
@@ -34,7 +33,7 @@ class Simulator(LocalizationCase):
         ]
         self.kidnap = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
         self.command = rospy.Publisher("cmd_vel", Twist, queue_size=1)
-        rospy.wait_for_service("reset_positions", 20)
+        rospy.wait_for_service("reset_positions", AT_LAST)
         rospy.ServiceProxy("reset_positions", Empty)()
         self.wait_for(lambda: self.truths and self.odometry and self.place_is(*START), "the start")
 
@@ -64,7 +63,7 @@ class Simulator(LocalizationCase):
     def test_tf_places_every_scan(self):
         self.wait_for(lambda: len(self.scans) > 5, "scans")
         stamp = self.scans[-1].header.stamp
-        self.wait_for(lambda: self.tf.can_transform("odom", "laser", stamp), "tf", 5)
+        self.wait_for(lambda: self.tf.can_transform("odom", "laser", stamp), "tf")
         mount = self.tf.lookup_transform("base_link", "laser", stamp).transform.translation
         self.assertAlmostEqual(mount.x, 0.021)
         self.assertAlmostEqual(mount.z, 0.30)
@@ -73,15 +72,14 @@ class Simulator(LocalizationCase):
         command = Twist()
         command.linear.x, command.angular.z = 0.2, 0.3
         before = planar(self.odometry[-1].pose.pose)
-        end = rospy.get_time() + 2.0
-        while rospy.get_time() < end:
+
+        def has_driven():
             self.command.publish(command)
-            time.sleep(0.03)
-        self.wait_for_time(2.5)
-        self.assertEqual(self.odometry[-1].twist.twist.linear.x, 0.0)
-        after = planar(self.odometry[-1].pose.pose)
-        self.assertGreater(math.hypot(after[0] - before[0], after[1] - before[1]), 0.3)
-        self.assertGreater(wrap(after[2] - before[2]), 0.4)
+            now = planar(self.odometry[-1].pose.pose)
+            return math.dist(now[:2], before[:2]) > 0.3 and wrap(now[2] - before[2]) > 0.4
+
+        self.wait_for(has_driven, "the robot to drive a curve", pause=0.03)
+        self.wait_for(lambda: self.odometry[-1].twist.twist.linear.x == 0.0, "the robot to stop")
 
     def test_carrying_it_moves_the_truth_and_not_the_odometry(self):
         before = planar(self.odometry[-1].pose.pose)
@@ -115,7 +113,7 @@ class Simulator(LocalizationCase):
                 (["_world:=" + world, "_speed:=2", "_publish_clock:=false"], "'speed'")]:
             process = subprocess.Popen([PROGRAM, "__name:=bad"] + arguments,
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            output = process.communicate(timeout=20)[0].decode()
+            output = process.communicate(timeout=AT_LAST)[0].decode()
             self.assertEqual(process.returncode, 1, output)
             self.assertEqual(output.count("FATAL"), 1, output)
             self.assertIn(expected, output)

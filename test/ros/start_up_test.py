@@ -14,6 +14,7 @@ import rosparam
 import rospkg
 import rospy
 import rostest
+from localization_case import AT_LAST
 
 PROGRAM = roslib.packages.find_node("adaptive_localization", "adaptive_localization")[0]
 
@@ -31,7 +32,7 @@ class StartUp(unittest.TestCase):
     def run_until_it_waits(self, *arguments):
         """The output up to where the node waits for its map; there it is interrupted."""
         process = self.start(*arguments)
-        end = time.time() + 20
+        end = time.time() + AT_LAST
         output = ""
         while "Waiting for a map" not in output and time.time() < end:
             line = process.stdout.readline().decode()
@@ -39,7 +40,7 @@ class StartUp(unittest.TestCase):
                 break
             output += line
         process.send_signal(signal.SIGINT)
-        output += process.communicate(timeout=20)[0].decode()
+        output += process.communicate(timeout=AT_LAST)[0].decode()
         return process.returncode, output
 
     def test_interrupt_before_the_map_ends_well_and_keeps_no_pose(self):
@@ -91,7 +92,7 @@ class StartUp(unittest.TestCase):
                 ("match_reach", "0.1", "'match_reach': got '0.1', expected at least"),
                 ("transform_tolerance", "-1", "'transform_tolerance': got '-1'")]:
             process = self.start("_%s:=%s" % (key, value))
-            output = process.communicate(timeout=20)[0].decode()
+            output = process.communicate(timeout=AT_LAST)[0].decode()
             self.assertEqual(process.returncode, 1, output)
             self.assertEqual(output.count("FATAL"), 1, output)
             self.assertIn(expected, output)

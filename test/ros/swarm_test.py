@@ -7,7 +7,7 @@ import rospy
 import rostest
 from dynamic_reconfigure.client import Client
 from geometry_msgs.msg import PoseArray
-from localization_case import LocalizationCase, planar
+from localization_case import AT_LAST, LocalizationCase, planar
 
 NODE = "adaptive_localization"
 
@@ -20,7 +20,7 @@ class Swarm(LocalizationCase):
         self.subscribers.append(
             rospy.Subscriber(NODE + "/leaders", PoseArray, self.leaders.append))
         self.subscribers.append(rospy.Subscriber("particlecloud", PoseArray, self.clouds.append))
-        self.client = Client(NODE, timeout=20)
+        self.client = Client(NODE, timeout=AT_LAST)
         self.wait_for(lambda: self.is_accurate(0.0), "the robot to be tracked")
 
     def tearDown(self):
@@ -30,7 +30,7 @@ class Swarm(LocalizationCase):
 
     def latched_leaders(self):
         """What somebody gets who comes later."""
-        return rospy.wait_for_message(NODE + "/leaders", PoseArray, 10).poses
+        return rospy.wait_for_message(NODE + "/leaders", PoseArray, AT_LAST).poses
 
     def test_bats_and_leaders_are_shown(self):
         self.client.update_configuration({"swarm_size": 300, "leaders_per_bats": 30})
