@@ -136,7 +136,8 @@ class LocalizationCase(unittest.TestCase):
         message = PoseStamped()
         message.header.frame_id = "map"
         message.pose.position.x, message.pose.position.y = x, y
-        message.pose.orientation.z, message.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+        message.pose.orientation.z = math.sin(yaw / 2)
+        message.pose.orientation.w = math.cos(yaw / 2)
         self.wait_for(lambda: kidnaps.get_num_connections() > 0, "the simulator")
         known = len(self.truths)
         kidnaps.publish(message)

@@ -14,7 +14,8 @@ from std_srvs.srv import Empty
 from visualization_msgs.msg import Marker, MarkerArray
 
 
-PATIENCE = 120.0  # s of simulated time: at 224 moments it took up to 25 s, from anywhere at 154 44 s
+PATIENCE = 120.0  # s of simulated time; when tried at 224 moments it took up to 25 s, and to find
+# the robot from anywhere, at 154 moments, up to 44 s
 
 
 class People(LocalizationCase):
@@ -56,9 +57,9 @@ class People(LocalizationCase):
         self.assertIn("adaptive_localization: Match", names)
 
     def test_found_among_people_after_being_carried_and_from_anywhere(self):
-        """At last, and not whether the node says before that it does not know: it may be right again
-        within three scans and never say so, or believe for long that it is somewhere else, where
-        the scans fit as well if some of what they see is taken for people."""
+        """At last, and not whether the node says before that it does not know: it may be right
+        again within three scans and never say so, or believe for long that it is somewhere else,
+        where the scans fit as well if some of what they see is taken for people."""
         kidnaps = rospy.Publisher("kidnap", PoseStamped, queue_size=1)
         self.assert_found(self.carry(kidnaps, 5.5, 2.7), "carried")
         rospy.ServiceProxy("global_localization", Empty)()

@@ -185,8 +185,9 @@ class Reconfigure(LocalizationCase):
 
     def test_command_line_client_works(self):
         def dynparam(*arguments):
-            return subprocess.run(["rosrun", "dynamic_reconfigure", "dynparam", *arguments],
-                                  timeout=AT_LAST, check=True, stdout=subprocess.PIPE).stdout.decode()
+            command = ["rosrun", "dynamic_reconfigure", "dynparam", *arguments]
+            return subprocess.run(command, timeout=AT_LAST, check=True,
+                                  stdout=subprocess.PIPE).stdout.decode()
 
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "dump.yaml")
