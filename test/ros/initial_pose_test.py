@@ -33,8 +33,8 @@ class InitialPose(LocalizationCase):
         begin = rospy.get_time()
         stamp, x, y, yaw = self.truths[-20]  # as it was a second ago: it is carried forward
         publisher.publish(initial_pose(x, y, yaw, rospy.Time.from_sec(stamp)))
-        self.wait_for(lambda: self.is_accurate(begin), "right poses")
-        self.assertEqual(self.status(), "tracking")
+        self.wait_for(lambda: self.is_accurate(begin) and self.status() == "tracking",
+                      "right poses")
 
 
 if __name__ == "__main__":

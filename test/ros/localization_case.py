@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the ROS tests share: listening to the node, the truth and tf, and waiting."""
 import bisect
+import contextlib
 import math
 import time
 import unittest
@@ -69,6 +70,14 @@ class LocalizationCase(unittest.TestCase):
     def tearDown(self):
         for subscriber in self.subscribers:
             subscriber.unregister()
+
+    @contextlib.contextmanager
+    def subTest(self, **what):
+        """Ends the test when it fails: rosunit would count the failure and not say what it is."""
+        try:
+            yield
+        except AssertionError as error:
+            raise AssertionError("%s: %s" % (what, error)) from error
 
     def on_pose(self, message):
         self.poses.append((message.header.stamp.to_sec(),) + planar(message.pose.pose))
