@@ -5,14 +5,18 @@
 #include <opencv2/core.hpp>
 
 namespace adaptive_localization {
+namespace {
 
-/// Localizers that run beside each other ask for the same number again and again, and OpenCV's pool
-/// must not be made anew under one that uses it.
+std::atomic<int> threads{1};
+
+}  // namespace
+
 void setThreads(int count) {
-  static std::atomic<int> current{-1};
-  if (current.exchange(count) != count) cv::setNumThreads(count);
+  threads = count;
 }
 
+/// The pool keeps its size: cv::setNumThreads would make it anew, under the feet of a loop that
+/// another thread is in. A loop cut into as many stripes as threads are allowed uses no more.
 void parallelFor(std::size_t count, std::size_t chunk_size,
                  const std::function<void(const Chunk&)>& body) {
   const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
@@ -23,10 +27,11 @@ void parallelFor(std::size_t count, std::size_t chunk_size,
     }
   };
   const cv::Range all(0, static_cast<int>(chunks));
-  if (chunks < 2 || cv::getNumThreads() < 2) {
+  const int stripes = threads;
+  if (chunks < 2 || stripes < 2) {
     run(all);
   } else {
-    cv::parallel_for_(all, run);
+    cv::parallel_for_(all, run, stripes);
   }
 }
 

@@ -14,7 +14,8 @@ struct Chunk {
   std::size_t end;
 };
 
-/// Number of threads parallelFor may use, for the whole process; 1 runs every loop in the caller.
+/// Number of threads a parallelFor may use, for the whole process; 1 runs every loop in the caller.
+/// May be called at any time: loops that run keep the number that they began with.
 void setThreads(int count);
 
 /// Calls body for every chunk of [0, count), each chunk_size long but the last. The cut does not

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 #include <set>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -37,6 +38,22 @@ TEST_P(ParallelFor, CutsTheSameChunksForAnyNumberOfThreads) {
   });
   const decltype(chunks) expected{{0, 0, 4}, {1, 4, 8}, {2, 8, 10}};
   EXPECT_EQ(chunks, expected);
+}
+
+/// As when an option changes while an energy grid is being made: this used to crash.
+TEST(ParallelForInTwoThreads, OutlivesAnotherNumberOfThreads) {
+  std::atomic<bool> done{false};
+  std::thread changes([&] {
+    for (int count = 1; !done; count = count % 4 + 1) setThreads(count);
+  });
+  std::atomic<std::size_t> visited{0};
+  for (int loop = 0; loop < 2000; ++loop) {
+    parallelFor(1000, 10, [&](const Chunk& chunk) { visited += chunk.end - chunk.begin; });
+  }
+  done = true;
+  changes.join();
+  setThreads(1);
+  EXPECT_EQ(visited, 2000U * 1000U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelFor, testing::Values(1, 2, 4));
