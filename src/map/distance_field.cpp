@@ -16,7 +16,7 @@ bool isSurface(const OccupancyGrid& grid, const Cell& c) {
 
 }  // namespace
 
-DistanceField::DistanceField(const OccupancyGrid& grid)
+DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
     : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell) {
   steps_.assign(lattice_.size(), kFar);
   cv::Mat surface(lattice_.height(), lattice_.width(), CV_8U);
@@ -26,9 +26,11 @@ DistanceField::DistanceField(const OccupancyGrid& grid)
     surface.data[i] = hit ? 0 : 255;
     any = any || hit;
   }
+  stop.check();
   if (!any) return;
   cv::Mat cells;
   cv::distanceTransform(surface, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  stop.check();
   cv::Mat steps(lattice_.height(), lattice_.width(), CV_16U, steps_.data());
   cells.convertTo(steps, CV_16U, kStepsPerCell);
 }

@@ -70,14 +70,15 @@ int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometr
 
 EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
                        const EnergyGridOptions& options, const SweepProgress& progress)
-    : EnergyGrid(std::make_shared<const RangeTable>(map, geometry.max_range,
-                                                    spacingFor(map, geometry, options), progress),
-                 geometry, options) {}
+    : EnergyGrid(
+          std::make_shared<const RangeTable>(
+              map, geometry.max_range, spacingFor(map, geometry, options), StopToken{}, progress),
+          geometry, options) {}
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-                       const EnergyGridOptions& options)
-    : EnergyGrid(std::move(ranges), geometry, options, {}) {
-  sorted_ = sort();
+                       const EnergyGridOptions& options, const StopToken& stop)
+    : EnergyGrid(std::move(ranges), geometry, options, Sorted{}) {
+  sorted_ = sort(stop);
 }
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
@@ -96,10 +97,11 @@ int EnergyGrid::firstDirection(int orientation) const {
 }
 
 /// Counting sort: sums are small integers.
-EnergyGrid::Sorted EnergyGrid::sort() const {
+EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
   const std::size_t poses = ranges_->size() * static_cast<std::size_t>(orientations_);
   std::vector<std::uint16_t> sums(poses);
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
+    stop.check();
     BeamSums beam_sums(beams_, beam_step_);
     std::uint16_t* sum = sums.data() + chunk.begin * static_cast<std::size_t>(orientations_);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -112,6 +114,7 @@ EnergyGrid::Sorted EnergyGrid::sort() const {
   std::vector<std::uint32_t> starts(static_cast<std::size_t>(beams_ * kNoReturn) + 2, 0);
   for (const std::uint16_t sum : sums) ++starts[sum + 1U];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  stop.check();
   std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
   std::vector<std::uint32_t> sorted(poses);
   for (std::size_t i = 0; i < poses; ++i) sorted[next[sums[i]]++] = static_cast<std::uint32_t>(i);

@@ -93,7 +93,8 @@ std::shared_ptr<const RangeTable> GridCache::read(const std::string& file, std::
   return table;
 }
 
-std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacing) {
+std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacing,
+                                                    const StopToken& stop) {
   const std::uint64_t key = folder_.empty() ? 0 : keyOf(max_range, spacing);
   const std::string file = fileOf("ranges", key);
   if (isThere(file)) {
@@ -103,7 +104,7 @@ std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacin
       warnings_.push_back(std::string(error.what()) + "; made anew");
     }
   }
-  auto table = std::make_shared<const RangeTable>(map_, max_range, spacing);
+  auto table = std::make_shared<const RangeTable>(map_, max_range, spacing, stop);
   const ConstArray<std::int32_t> made_with(std::vector<std::int32_t>{table->spacing()});
   const RangeBlocks::Arrays& blocks = table->blocks().arrays();
   write(file, key,
@@ -116,7 +117,8 @@ std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacin
 
 std::shared_ptr<const EnergyGrid> GridCache::grid(std::shared_ptr<const RangeTable> ranges,
                                                   const ScanGeometry& geometry,
-                                                  const EnergyGridOptions& options) {
+                                                  const EnergyGridOptions& options,
+                                                  const StopToken& stop) {
   const std::uint64_t key = folder_.empty()
                                 ? 0
                                 : hashOf({double(geometry.count), double(options.energy_beams),
@@ -133,7 +135,7 @@ std::shared_ptr<const EnergyGrid> GridCache::grid(std::shared_ptr<const RangeTab
       warnings_.push_back(std::string(error.what()) + "; made anew");
     }
   }
-  auto grid = std::make_shared<const EnergyGrid>(std::move(ranges), geometry, options);
+  auto grid = std::make_shared<const EnergyGrid>(std::move(ranges), geometry, options, stop);
   write(file, key,
         {ArrayFile::bytesOf(grid->sorted_.poses), ArrayFile::bytesOf(grid->sorted_.starts)});
   return grid;

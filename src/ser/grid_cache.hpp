@@ -20,12 +20,14 @@ class GridCache {
   /// The map must stay. An empty folder: keeps nothing.
   GridCache(std::string folder, const OccupancyGrid& map);
 
-  /// Throws std::invalid_argument if the map has no free cell.
-  std::shared_ptr<const RangeTable> ranges(double max_range, int spacing);
+  /// Throws std::invalid_argument if the map has no free cell, and Stopped.
+  std::shared_ptr<const RangeTable> ranges(double max_range, int spacing,
+                                           const StopToken& stop = {});
 
   std::shared_ptr<const EnergyGrid> grid(std::shared_ptr<const RangeTable> ranges,
                                          const ScanGeometry& geometry,
-                                         const EnergyGridOptions& options);
+                                         const EnergyGridOptions& options,
+                                         const StopToken& stop = {});
 
   /// Whether all that was asked for so far was in the folder.
   bool hadAll() const { return had_all_; }

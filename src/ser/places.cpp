@@ -2,7 +2,6 @@
 #include "adaptive_localization/ser/places.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -45,15 +44,16 @@ Places::Places(std::shared_ptr<const OccupancyGrid> map,
 Places::~Places() = default;
 
 /// Only reads what does not change: may run in another thread.
-Places::Entry Places::make(const ScanGeometry& geometry,
-                           std::shared_ptr<const RangeTable> ranges) const {
+Places::Entry Places::make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges,
+                           const StopToken& stop) const {
   GridCache cache(options_.cache_dir, *map_);
   Entry entry;
   entry.geometry = geometry;
   if (!ranges) {
-    ranges = cache.ranges(geometry.max_range, EnergyGrid::spacingFor(*map_, geometry, options_));
+    ranges =
+        cache.ranges(geometry.max_range, EnergyGrid::spacingFor(*map_, geometry, options_), stop);
   }
-  entry.grid = cache.grid(ranges, geometry, options_);
+  entry.grid = cache.grid(ranges, geometry, options_, stop);
   entry.is_from_cache = cache.hadAll();
   entry.warnings = cache.warnings();
   entry.search =
@@ -86,19 +86,16 @@ void Places::warn(const std::string& warning) {
 }
 
 void Places::poll() {
-  if (building_.valid() &&
-      building_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-    keepWhat([this] { return building_.get(); });
-  }
+  if (auto outcome = building_.poll()) take(std::move(*outcome));
 }
 
 /// Without memory for a grid there is none, and the rest goes on.
-void Places::keepWhat(const std::function<Entry()>& make) {
-  try {
-    keep(make());
-  } catch (const std::exception& error) {
-    warn(std::string("energy grid: cannot be made, no other places are known: ") + error.what());
-    failed_ = true;
+void Places::take(Outcome<Entry> outcome) {
+  failed_ = !outcome.value;
+  if (failed_) {
+    warn("energy grid: cannot be made, no other places are known: " + outcome.error);
+  } else {
+    keep(std::move(*outcome.value));
   }
 }
 
@@ -113,20 +110,24 @@ const Places::Entry* Places::entryFor(const Scan& scan) {
   for (const Entry& entry : entries_) {
     if (suits(entry.geometry, geometry)) return &entry;
   }
-  if (building_.valid() || failed_) return nullptr;
+  if (building_.isRunning() || failed_) return nullptr;
   auto ranges = rangesFor(geometry);
   if (build_ == Build::kAtOnce) {
-    keepWhat([&] { return make(geometry, ranges); });
+    take(outcomeOf([&] { return make(geometry, ranges, {}); }));
     return failed_ ? nullptr : &entries_.back();
   }
-  building_ =
-      std::async(std::launch::async, [this, geometry, ranges] { return make(geometry, ranges); });
+  building_.start(
+      [this, geometry, ranges](const StopToken& stop) { return make(geometry, ranges, stop); });
   return nullptr;
 }
 
 std::shared_ptr<const EnergyGrid> Places::energyGrid(const Scan& scan) {
   const Entry* entry = entryFor(scan);
   return entry ? entry->grid : nullptr;
+}
+
+bool Places::isReadyFor(const Scan& scan) {
+  return entryFor(scan) || failed_;
 }
 
 const std::vector<Place>& Places::search(const Observations& observations) {

@@ -65,9 +65,10 @@ class RangeTableBuilder {
   }
 
   void build(std::vector<std::uint32_t>& cells, std::vector<std::uint8_t>& ranges,
-             const SweepProgress& progress) {
+             const StopToken& stop, const SweepProgress& progress) {
     number_.assign(planeSize(), kNoCell);
     for (int y = 0; y < spaced_.height(); ++y) {
+      stop.check();
       for (int x = 0; x < spaced_.width(); ++x) {
         const Cell cell = spaced_.cell(x, y);
         if (!map_.isFree(cell)) continue;
@@ -77,7 +78,9 @@ class RangeTableBuilder {
     }
     if (cells.empty()) return;
     ranges.assign(cells.size() * RangeTable::kStride, 0);
-    for (const bool x_is_faster : {true, false}) sweepAll(x_is_faster, ranges.data(), progress);
+    for (const bool x_is_faster : {true, false}) {
+      sweepAll(x_is_faster, ranges.data(), stop, progress);
+    }
   }
 
  private:
@@ -87,7 +90,8 @@ class RangeTableBuilder {
   }
   std::size_t planeSize() const { return at(0, spaced_.height(), spaced_.width()); }
 
-  void sweepAll(bool x_is_faster, std::uint8_t* ranges, const SweepProgress& progress) {
+  void sweepAll(bool x_is_faster, std::uint8_t* ranges, const StopToken& stop,
+                const SweepProgress& progress) {
     const SweepMap lines = sweepMapOf(map_, box_, x_is_faster);
     const std::vector<int> directions = directionsWith(x_is_faster);
     const auto at_once = std::clamp<std::size_t>(
@@ -97,7 +101,7 @@ class RangeTableBuilder {
       const std::size_t count = std::min(at_once, directions.size() - first);
       parallelFor(count, 1, [&](const Chunk& chunk) {
         std::uint8_t* plane = planes.data() + chunk.begin * planeSize();
-        sweepOne(lines, directions[first + chunk.begin], x_is_faster, plane);
+        sweepOne(lines, directions[first + chunk.begin], x_is_faster, plane, stop);
       });
       dealOut({directions.data() + first, count}, planes, x_is_faster, ranges);
       done_ += count;
@@ -105,7 +109,8 @@ class RangeTableBuilder {
     }
   }
 
-  void sweepOne(const SweepMap& lines, int direction, bool x_is_faster, std::uint8_t* plane) const {
+  void sweepOne(const SweepMap& lines, int direction, bool x_is_faster, std::uint8_t* plane,
+                const StopToken& stop) const {
     const double angle = direction * kDirectionStep;
     const double du = x_is_faster ? std::cos(angle) : std::sin(angle);
     const double dv = x_is_faster ? std::sin(angle) : std::cos(angle);
@@ -118,7 +123,7 @@ class RangeTableBuilder {
     request.first_v = x_is_faster ? spaced_.firstY() : spaced_.firstX();
     request.steps = plane;
     request.pitch = static_cast<std::size_t>(x_is_faster ? spaced_.height() : spaced_.width());
-    sweep(lines, request);
+    sweep(lines, request, stop);
   }
 
   struct Directions {
@@ -181,7 +186,7 @@ class RangeTableBuilder {
 };
 
 RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,
-                       const SweepProgress& progress)
+                       const StopToken& stop, const SweepProgress& progress)
     : lattice_(map.lattice()), max_range_(max_range), spacing_(spacing) {
   if (!(max_range > 0.0) || spacing < 1) {
     throw std::invalid_argument("range table: got max_range " + std::to_string(max_range) +
@@ -191,12 +196,13 @@ RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,
   std::vector<std::uint32_t> cells;
   std::vector<std::uint8_t> ranges;
   for (; cells.empty() && spacing_ > 0; --spacing_) {
-    RangeTableBuilder(map, max_range, spacing_).build(cells, ranges, progress);
+    RangeTableBuilder(map, max_range, spacing_).build(cells, ranges, stop, progress);
   }
   ++spacing_;
   if (cells.empty()) throw std::invalid_argument("map: got no free cell, expected at least one");
   cells_ = ConstArray<std::uint32_t>(std::move(cells));
   ranges_ = ConstArray<std::uint8_t>(std::move(ranges));
+  stop.check();
   blocks_ = std::make_shared<const RangeBlocks>(*this);
 }
 

@@ -194,10 +194,11 @@ SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are
   return result;
 }
 
-void sweep(const SweepMap& map, const Sweep& request) {
+void sweep(const SweepMap& map, const Sweep& request, const StopToken& stop) {
   std::vector<BundleSweep> bundles;
   for (int bundle = 0; bundle < kBundles; ++bundle) bundles.emplace_back(map, request, bundle);
   for (int t = map.lines - 1; t >= 0; --t) {  // together, to read the map's lines once
+    stop.check();
     for (BundleSweep& bundle : bundles) bundle.step(t);
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/stop_token.hpp"
 
 namespace adaptive_localization {
 
@@ -48,7 +49,7 @@ struct Sweep {
   std::size_t pitch;
 };
 
-/// Needs O(cells) time and two lines of memory.
-void sweep(const SweepMap& map, const Sweep& request);
+/// Needs O(cells) time and two lines of memory. Throws Stopped.
+void sweep(const SweepMap& map, const Sweep& request, const StopToken& stop = {});
 
 }  // namespace adaptive_localization

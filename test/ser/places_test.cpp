@@ -48,6 +48,21 @@ std::shared_ptr<const EnergyGrid> waitForGrid(Places& places, const Scan& scan) 
   return nullptr;
 }
 
+/// A hall so large that its grid cannot be ready before it is stopped.
+TEST(Places, StopBuildingWhatIsNoLongerWanted) {
+  const Lattice lattice(1500, 1500, 0.05, {});
+  const auto hall = std::make_shared<const OccupancyGrid>(
+      lattice, std::vector<std::int8_t>(lattice.size(), OccupancyGrid::kFree));
+  EnergyGridOptions options;
+  options.energy_grid_max_memory = 1e6;
+  Places places = placesOf(hall, Places::Build::kInBackground, options);
+  EXPECT_FALSE(places.isReadyFor(scanOf(181)));
+  places.stopBuilding();
+  while (!places.isReadyFor(scanOf(181))) std::this_thread::yield();
+  EXPECT_FALSE(places.newestGrid());
+  EXPECT_THAT(places.takeWarnings(), ElementsAre(HasSubstr("stopped")));
+}
+
 TEST(Places, KeepTheGridOfALaserThatAlternates) {
   Places places = placesOf(asymmetricWorld());
   const auto grid = places.energyGrid(scanOf(181));

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/ser/energy_grid.hpp"
 #include "ser_toys.hpp"
 #include "support/random_grid.hpp"
 
@@ -181,6 +183,17 @@ TEST(RangeTable, IsTheSameForAnyNumberOfThreads) {
   const RangeTable four(*map, 10.0);
   setThreads(1);
   EXPECT_TRUE(haveSameBytes(four, RangeTable(*map, 10.0)));
+}
+
+TEST(RangeTable, StopsWhenItIsNoLongerWanted) {
+  StopSource source;
+  const StopToken stop = source.token();
+  EXPECT_NO_THROW(RangeTable(*maze(), 10.0, 1, stop));
+  source.stop();
+  EXPECT_THROW(RangeTable(*maze(), 10.0, 1, stop), Stopped);
+  const auto table = std::make_shared<const RangeTable>(*maze(), 10.0);
+  EXPECT_THROW(EnergyGrid(table, ScanGeometry{{0.0, 0.0}, 10.0, 0.0, 0, 90}, {}, stop), Stopped);
+  EXPECT_THROW(DistanceField(*maze(), stop), Stopped);
 }
 
 TEST(RangeTable, ComplainsAboutWhatMakesNoTable) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/stop_token.hpp"
 
 namespace adaptive_localization {
 
@@ -15,7 +16,8 @@ namespace adaptive_localization {
 /// cells; a map without obstacles is saturated everywhere.
 class DistanceField {
  public:
-  explicit DistanceField(const OccupancyGrid& grid);
+  /// Throws Stopped.
+  explicit DistanceField(const OccupancyGrid& grid, const StopToken& stop = {});
 
   const Lattice& lattice() const { return lattice_; }
 

@@ -58,9 +58,10 @@ class EnergyGrid {
   EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
              const EnergyGridOptions& options, const SweepProgress& progress = {});
 
-  /// The same for another geometry, with the ranges of one that has the same max_range.
+  /// The same for another geometry, with the ranges of one that has the same max_range. Throws
+  /// Stopped.
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-             const EnergyGridOptions& options);
+             const EnergyGridOptions& options, const StopToken& stop = {});
 
   const ScanGeometry& geometry() const { return geometry_; }
   const RangeTable& ranges() const { return *ranges_; }
@@ -107,7 +108,7 @@ class EnergyGrid {
   };
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
              const EnergyGridOptions& options, Sorted sorted);
-  Sorted sort() const;
+  Sorted sort(const StopToken& stop) const;
   int firstDirection(int orientation) const;
 
   std::shared_ptr<const RangeTable> ranges_;

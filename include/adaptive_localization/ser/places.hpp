@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/background.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/observations.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
@@ -37,8 +36,14 @@ class Places {
   /// being made and for a scan without hits. The answer to the same scan again is remembered.
   const std::vector<Place>& search(const Observations& observations);
 
+  /// Whether search() can tell of this scan: false while the grid for it is being made.
+  bool isReadyFor(const Scan& scan);
+
   /// Whether a grid is being made in the background.
-  bool isBuilding() const { return building_.valid(); }
+  bool isBuilding() const { return building_.isRunning(); }
+
+  /// What is being made in the background is no longer wanted: ends soon, without a result.
+  void stopBuilding() { building_.stop(); }
 
   /// The grid that was ready last; null before the first. Starts nothing.
   std::shared_ptr<const EnergyGrid> newestGrid();
@@ -57,11 +62,12 @@ class Places {
     bool is_from_cache{false};
     std::vector<std::string> warnings;
   };
-  Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges) const;
+  Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges,
+             const StopToken& stop) const;
   std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
   const Entry* entryFor(const Scan& scan);
   void keep(Entry entry);
-  void keepWhat(const std::function<Entry()>& make);
+  void take(Outcome<Entry> outcome);
   void warn(const std::string& warning);
   void poll();
 
@@ -76,7 +82,7 @@ class Places {
   std::set<std::string> said_;            // all warnings
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
-  std::future<Entry> building_;  // last, so that it ends before what it reads
+  Background<Entry> building_;  // last, so that it ends before what it reads
 };
 
 }  // namespace adaptive_localization

@@ -10,6 +10,7 @@
 #include "adaptive_localization/map/occupancy_grid.hpp"
 #include "adaptive_localization/ser/const_array.hpp"
 #include "adaptive_localization/ser/scan_energy.hpp"
+#include "adaptive_localization/stop_token.hpp"
 
 namespace adaptive_localization {
 
@@ -32,9 +33,9 @@ class RangeTable {
       192;  // bytes per cell: kDirections and padding, which is 0
 
   /// Every `spacing`-th cell of the map in x and y. Throws std::invalid_argument if the map has no
-  /// free cell.
+  /// free cell, and Stopped.
   RangeTable(const OccupancyGrid& map, double max_range, int spacing = 1,
-             const SweepProgress& progress = {});
+             const StopToken& stop = {}, const SweepProgress& progress = {});
 
   const Lattice& lattice() const { return lattice_; }  // of the map
   double maxRange() const { return max_range_; }
