@@ -2,15 +2,25 @@
 #include "adaptive_localization/filter_registry.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <stdexcept>
 
+#include "adaptive_localization/error_text.hpp"
 #include "filters/builtin_filters.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr auto kEntryPoint = "adaptive_localization_register_filters_v1";
+
+/// A variable of that name can be looked up as well, and called, which ends the process.
+bool isFunction(void* symbol) {
+  Dl_info info;
+  void* entry = nullptr;
+  if (dladdr1(symbol, &info, &entry, RTLD_DL_SYMENT) == 0 || !entry) return false;
+  return ELF64_ST_TYPE(static_cast<const ElfW(Sym)*>(entry)->st_info) == STT_FUNC;
+}
 
 }  // namespace
 
@@ -33,10 +43,14 @@ void FilterRegistry::loadLibrary(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) throw std::invalid_argument("plug-in '" + path + "': " + dlerror());
   void* symbol = dlsym(library, kEntryPoint);
-  if (!symbol) {
+  if (!symbol || !isFunction(symbol)) {
     throw std::invalid_argument("plug-in '" + path + "': expected a function " + kEntryPoint);
   }
-  reinterpret_cast<void (*)(FilterRegistry&)>(symbol)(*this);
+  try {
+    reinterpret_cast<void (*)(FilterRegistry&)>(symbol)(*this);
+  } catch (...) {
+    throw std::invalid_argument("plug-in '" + path + "': " + errorText());
+  }
 }
 
 const FilterDescription& FilterRegistry::find(const std::string& name) const {

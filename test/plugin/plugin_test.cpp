@@ -31,6 +31,19 @@ TEST(Plugin, AddsItsFilterToTheRegistry) {
   EXPECT_THROW(registry.loadLibrary(PLUGIN), std::invalid_argument);  // the name is taken
 }
 
+/// They used to end the process.
+TEST(Plugin, IsRefusedByNameIfItsEntryPointIsNoFunctionOrThrowsAnything) {
+  for (const char* library : {BROKEN_PLUGIN_1, BROKEN_PLUGIN_2}) {
+    FilterRegistry registry;
+    try {
+      registry.loadLibrary(library);
+      FAIL() << library << " was loaded";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr(library));
+    }
+  }
+}
+
 TEST(Plugin, RunsInTheLocalizer) {
   Localizer localizer(withPlugin(), asymmetricWorld());
   EXPECT_THAT(localizer.unknownKeys(), IsEmpty());
