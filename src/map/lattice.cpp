@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/map/lattice.hpp"
 
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace adaptive_localization {
+namespace {
+
+// No sensor tells less than a millimetre, no world is larger: what is made of a map must fit
+// numbers.
+constexpr double kFinest = 1e-3;   // m per cell
+constexpr double kCoarsest = 1e5;  // m per cell
+constexpr double kFarthest = 1e8;  // m, of the origin; coordinates of the earth are below
+
+std::string print(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace
 
 Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
     : width_(width),
@@ -16,12 +33,14 @@ Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
     throw std::invalid_argument("map size: got " + std::to_string(width) + " x " +
                                 std::to_string(height) + " cells, expected at least 1 x 1");
   }
-  if (!(resolution > 0.0) || !std::isfinite(resolution)) {
-    throw std::invalid_argument("map resolution: got " + std::to_string(resolution) +
-                                ", expected a positive number of metres per cell");
+  if (!(resolution >= kFinest && resolution <= kCoarsest)) {
+    throw std::invalid_argument("map resolution: got " + print(resolution) + ", expected " +
+                                print(kFinest) + " to " + print(kCoarsest) + " m per cell");
   }
-  if (!isFinite(origin)) {
-    throw std::invalid_argument("map origin: got a number that is not finite, expected x, y, yaw");
+  if (!isFinite(origin) || std::abs(origin.x) > kFarthest || std::abs(origin.y) > kFarthest) {
+    throw std::invalid_argument("map origin: got (" + print(origin.x) + ", " + print(origin.y) +
+                                ") m, " + print(origin.theta) + " rad, expected numbers within " +
+                                print(kFarthest) + " m");
   }
 }
 

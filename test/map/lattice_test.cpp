@@ -23,6 +23,26 @@ TEST(Lattice, HasTheCornerOfCellZeroAtItsOrigin) {
   EXPECT_EQ(before.y, -1);
 }
 
+TEST(Lattice, RefusesWhatNoMapHasAndNamesTheValue) {
+  const auto complaint = [](double resolution, const Pose2& origin) -> std::string {
+    try {
+      Lattice(10, 10, resolution, origin);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(complaint(1e-3, {}), "none");
+  EXPECT_EQ(complaint(0.05, {6.4e6, -6.4e6, 1.0}), "none");
+  EXPECT_EQ(complaint(1e-30, {}), "map resolution: got 1e-30, expected 0.001 to 100000 m per cell");
+  for (const double resolution : {-0.05, 0.0, 1e-6, 1e9, std::nan("")}) {
+    EXPECT_EQ(complaint(resolution, {}).rfind("map resolution: got ", 0), 0U) << resolution;
+  }
+  for (const double far : {1e300, -1e9, std::nan("")}) {
+    EXPECT_EQ(complaint(0.05, {0.0, far, 0.0}).rfind("map origin: got (0, ", 0), 0U) << far;
+  }
+}
+
 TEST(Lattice, TurnsWithItsOrigin) {
   const Lattice lattice(4, 4, 1.0, {10.0, 0.0, kPi / 2});
   EXPECT_TRUE(lattice.centre({2, 0}).isApprox(Eigen::Vector2d(9.5, 2.5)));
