@@ -63,7 +63,7 @@ struct ScanOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("laser_max_beams", laser_max_beams, Range{2, 100000}, "",
+    option("laser_max_beams", laser_max_beams, Range{2, 10000}, "",
            "Beams used of each scan at the most, evenly spread.");
     option("laser_min_range", laser_min_range, Range{-1, 1000}, "m",
            "Shorter readings are invalid; -1: as the scan message says.");

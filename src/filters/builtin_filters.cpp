@@ -8,6 +8,7 @@
 #include "presets.hpp"
 #include "swarm_filter.hpp"
 #include "swarm_presets.hpp"
+#include "update_price.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -27,6 +28,7 @@ std::unique_ptr<Exploration> makeKidnapTest(const FilterContext& context,
 
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
   const Parameters& given = context.parameters;
+  checkPriceOfUpdate(given);
   ParticleFilterParts parts;
   parts.motion = makeMotionModel(given.read<MotionOptions>());
   parts.observation = makeObservationModel(given.read<ObservationOptions>(), context);

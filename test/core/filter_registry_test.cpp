@@ -47,6 +47,27 @@ TEST(FilterRegistry, ListsTheKnownNamesWhenOneIsUnknown) {
               AllOf(HasSubstr("'amlc'"), HasSubstr("amcl"), HasSubstr("kld"), HasSubstr("mcl")));
 }
 
+/// Sizes with which one update takes seconds would leave the robot without a pose.
+TEST(FilterRegistry, RefusesSizesThatStallAndNamesTheirPrice) {
+  const FilterRegistry registry;
+  const auto make = [&](const std::string& name, int particles, int beams, const char* model) {
+    FilterContext with = context();
+    with.parameters.set("max_particles", OptionValue(particles));
+    with.parameters.set("laser_max_beams", OptionValue(beams));
+    with.parameters.set("laser_model_type", OptionValue(std::string(model)));
+    return complaint([&] { registry.find(name).make(with); });
+  };
+  for (const char* name : {"mcl", "kld", "amcl", "samcl", "sa_kld"}) {
+    EXPECT_EQ(make(name, 100000, 720, "likelihood_field"), "no complaint") << name;
+    EXPECT_EQ(make(name, 50000, 180, "beam"), "no complaint") << name;
+    EXPECT_THAT(make(name, 1000000, 10000, "likelihood_field"),
+                AllOf(HasSubstr("'max_particles'"), HasSubstr("1000000"), HasSubstr("10000"),
+                      HasSubstr("look-ups per update, expected at most 5e+09")));
+    EXPECT_THAT(make(name, 100000, 720, "beam"), HasSubstr("laser_model_type beam")) << name;
+  }
+  EXPECT_THAT(make("mcl", 10000000, 30, "likelihood_field"), HasSubstr("in [1, 1000000]"));
+}
+
 TEST(FilterRegistry, TakesMoreFiltersButNoNameTwice) {
   FilterRegistry registry;
   FilterDescription mine = registry.find("mcl");

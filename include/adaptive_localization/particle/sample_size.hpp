@@ -22,8 +22,8 @@ struct SampleSizeOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("min_particles", min_particles, Range{1, 10000000}, "", "Fewest particles (KLD).");
-    option("max_particles", max_particles, Range{1, 10000000}, "",
+    option("min_particles", min_particles, Range{1, 1000000}, "", "Fewest particles (KLD).");
+    option("max_particles", max_particles, Range{1, 1000000}, "",
            "Most particles (KLD); the number of particles (fixed size).");
     option("kld_err", kld_err, Range{1e-6, 1}, "",
            "Largest Kullback-Leibler divergence of the particles from the true belief.");
