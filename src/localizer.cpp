@@ -95,7 +95,7 @@ void Localizer::reset(const Prior& prior) {
   confidence_->reset();
   converged_ = false;
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
-  is_told_ = std::holds_alternative<Gaussian2>(prior);
+  is_told_ = is_unverified_ = std::holds_alternative<Gaussian2>(prior);
   way_to_check_ = 0.0;
   way_of_checks_ = kWayOfChecks;
   if (from_anywhere_) {

@@ -54,8 +54,10 @@ std::string toText(Status status) {
   }
 }
 
-/// A scan that contradicts the map opens it too: a robot that was carried away stands still.
+/// A scan that contradicts the map opens it too: a robot that was carried away stands still. So does
+/// the first one that can tell whether an initial pose is right.
 bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
+  if (is_unverified_ && ground_.places->isReadyFor(observations.scan)) return true;
   if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
   if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
   return observations.scan.hits() > 0 &&
@@ -113,6 +115,7 @@ void Localizer::checkWhatWasTold(const Pose2& motion, const Observations& observ
   if (!is_told_ || way_to_check_ > 0.0 || !rivals_->isSettled()) return;
   const Pose2& T_map_base = last_.estimate.T_map_base;
   const Verdict verdict = rivals_->judge(T_map_base, observations);
+  is_unverified_ = is_unverified_ && !ground_.places->isReadyFor(observations.scan);
   if (verdict == Verdict::kUnknown) return;
   is_told_ = verdict == Verdict::kPossible;
   way_to_check_ = way_of_checks_;
@@ -122,7 +125,9 @@ void Localizer::checkWhatWasTold(const Pose2& motion, const Observations& observ
   rivals_->observe({}, T_map_base, observations);
 }
 
+/// An initial pose is not "tracking" before a scan could contradict it.
 Status Localizer::judge() const {
+  if (is_unverified_) return Status::kGlobalizing;
   if (!rivals_->isSettled()) {
     const bool fits = confidence_->latestFit() >= kFoundFit;
     if (fits && rivals_->modes().size() > 1) return Status::kAmbiguous;

@@ -17,7 +17,8 @@ namespace adaptive_localization {
 
 class EstimateRefiner;
 
-/// What is known of the robot's place, in a word.
+/// What is known of the robot's place, in a word. Globalizing: it is being looked for, or there is
+/// an initial pose that no scan has verified yet.
 enum class Status { kUninitialised, kGlobalizing, kTracking, kAmbiguous, kLost };
 std::string toText(Status status);
 
@@ -174,6 +175,7 @@ class Localizer {
   bool converged_{false};  // was localized since the last reset
   bool from_anywhere_{false};
   bool is_told_{false};        // where it is, by somebody, and other places may explain scans too
+  bool is_unverified_{false};  // what it was told: no scan could contradict it yet
   double way_to_check_{0.0};   // m or rad until the next check of that
   double way_of_checks_{0.0};  // between checks
   bool update_requested_{false};

@@ -68,6 +68,29 @@ TEST(LocalizerStatus, DoesNotBelieveAWrongInitialPose) {
   }
 }
 
+/// While the energy grid is being made nobody knows of other places.
+TEST(LocalizerStatus, DoesNotSayTrackingBeforeAScanWasAskedAboutAnInitialPose) {
+  const auto map = asymmetricWorld();
+  const auto field = std::make_shared<const DistanceField>(*map);
+  const Pose2 place{1.0, 1.0, 0.3};
+  const auto seen = ToyLaser{}.observe(map, place);
+  for (const char* filter : {"mcl", "kld", "sa_kld", "ekf_icp"}) {
+    const auto places = std::make_shared<Places>(
+        map, field, EnergyGridOptions{}, GlobalSearchOptions{}, Places::Build::kInBackground);
+    Localizer localizer(parametersWith({{"filter", std::string(filter)}}), map, field, places);
+    localizer.reset(Gaussian2{place, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+    bool was_ready = false;
+    Localization answer;
+    for (; !was_ready; was_ready = places->isReadyFor(seen.scan)) {
+      answer = localizer.update({}, seen);
+      const bool could_tell = places->isReadyFor(seen.scan);
+      ASSERT_TRUE(could_tell || answer.status == Status::kGlobalizing) << filter;
+    }
+    // The robot stands still, and yet it is asked as soon as there is an answer.
+    EXPECT_EQ(localizer.update({}, seen).status, Status::kTracking) << filter;
+  }
+}
+
 TEST(LocalizerStatus, BelievesAnInitialPoseThatOneOfTwoTwinsFits) {
   const auto map = symmetricWorld();
   Localizer localizer(parametersWith({{"filter", std::string("ekf_icp")}}), map);
