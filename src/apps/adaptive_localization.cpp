@@ -3,13 +3,13 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "../ros/bag_player.hpp"
 #include "../ros/localization_node.hpp"
+#include "adaptive_localization/error_text.hpp"
 
 namespace {
 
@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
       while (go_on()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }
     localization.writePose();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+  } catch (...) {
+    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -2,7 +2,8 @@
 #include "../ros/map_publisher.hpp"
 
 #include <cstdlib>
-#include <exception>
+
+#include "adaptive_localization/error_text.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "map_publisher");
@@ -14,8 +15,8 @@ int main(int argc, char** argv) {
   try {
     adaptive_localization::MapPublisher publisher(node, ros::NodeHandle("~"), argv[1]);
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+  } catch (...) {
+    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

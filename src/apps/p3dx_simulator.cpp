@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdlib>
-#include <exception>
 
 #include "../ros/simulator_node.hpp"
+#include "adaptive_localization/error_text.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "p3dx_simulator");
@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   try {
     adaptive_localization::SimulatorNode simulator(node, ros::NodeHandle("~"));
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
+  } catch (...) {
+    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

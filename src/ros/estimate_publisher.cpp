@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "callbacks.hpp"
 #include "conversions.hpp"
 #include "status_message.hpp"
 
@@ -35,7 +36,7 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
       confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
       status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {
   if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
-  timer_ = node.createTimer(ros::Duration(1.0 / options.tf_rate), [this](const ros::TimerEvent&) {
+  timer_ = every(node, ros::Duration(1.0 / options.tf_rate), "Transform", [this] {
     if (T_map_odom_) sendTransform(*T_map_odom_, ros::Time::now());
   });
 }

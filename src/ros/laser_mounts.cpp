@@ -11,9 +11,21 @@
 #include "urdf_mount.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+std::string readDescription(const ros::NodeHandle& node) {
+  std::string key, urdf;
+  if (node.searchParam("robot_description", key)) node.getParam(key, urdf);
+  return urdf;
+}
+
+}  // namespace
 
 LaserMounts::LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame)
-    : node_(node), tf_(tf), base_frame_(std::move(base_frame)) {}
+    : node_(node),
+      tf_(tf),
+      base_frame_(std::move(base_frame)),
+      robot_description_(readDescription(node)) {}
 
 LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
   Laser& laser = lasers_[frame];
@@ -25,23 +37,28 @@ LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
   }
   // tf's latched static transforms may still be on their way.
   if (ros::WallTime::now() - laser.first_seen < ros::WallDuration(1.0)) return Knowledge::kNotYet;
-  if (!std::exchange(laser.urdf_asked, true) && takeFromUrdf(frame)) {
+  if (askAgain(laser)) return Knowledge::kNotYet;
+  if (!std::exchange(laser.urdf_tried, true) && takeFromUrdf(frame)) {
     know(frame, laser, "robot_description, as tf does not have it");
     return Knowledge::kKnown;
   }
   return Knowledge::kUnknown;
 }
 
-std::string LaserMounts::robotDescription() const {
-  std::string key, urdf;
-  if (node_.searchParam("robot_description", key)) node_.getParam(key, urdf);
-  return urdf;
+/// The description may have come after this node. A master that does not answer must not hold up
+/// the scans: true while its answer is awaited.
+bool LaserMounts::askAgain(Laser& laser) {
+  if (auto answer = asking_.poll()) robot_description_ = answer->value.value_or("");
+  if (asking_.isRunning()) return true;
+  if (std::exchange(laser.urdf_asked, true)) return false;
+  asking_.start([node = node_](const StopToken&) { return readDescription(node); });
+  return true;
 }
 
 void LaserMounts::know(const std::string& frame, Laser& laser, const char* source) {
   laser.known = true;
   say(frame, source);
-  laser.view = viewFromUrdf(robotDescription(), frame);
+  laser.view = viewFromUrdf(robot_description_, frame);
   if (std::isfinite(laser.view.low)) {
     ROS_INFO("Laser '%s' sees from %.1f to %.1f deg: from robot_description", frame.c_str(),
              laser.view.low * 180.0 / kPi, laser.view.high * 180.0 / kPi);
@@ -49,11 +66,10 @@ void LaserMounts::know(const std::string& frame, Laser& laser, const char* sourc
 }
 
 bool LaserMounts::takeFromUrdf(const std::string& frame) {
-  const std::string urdf = robotDescription();
-  if (urdf.empty()) return false;
+  if (robot_description_.empty()) return false;
   geometry_msgs::TransformStamped transform;
   try {
-    transform.transform = toTransformMessage(mountFromUrdf(urdf, base_frame_, frame));
+    transform.transform = toTransformMessage(mountFromUrdf(robot_description_, base_frame_, frame));
   } catch (const std::invalid_argument& error) {
     ROS_WARN("No mount for laser '%s': %s", frame.c_str(), error.what());
     return false;
@@ -82,7 +98,7 @@ std::optional<LaserMount> LaserMounts::at(const std::string& frame, const ros::T
     const auto laser = lasers_.find(frame);
     if (laser != lasers_.end()) mount.view = laser->second.view;
     return mount;
-  } catch (const tf2::TransformException& error) {
+  } catch (const std::runtime_error& error) {  // of tf2, or of a stamp near the end of time
     *why = error.what();
     return std::nullopt;
   }

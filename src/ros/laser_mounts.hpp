@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "adaptive_localization/background.hpp"
 #include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
@@ -33,11 +34,12 @@ class LaserMounts {
   struct Laser {
     ros::WallTime first_seen;
     bool known{false};
-    bool urdf_asked{false};
+    bool urdf_asked{false};  // again, for this laser
+    bool urdf_tried{false};
     AngleLimits view;  // of robot_description
   };
 
-  std::string robotDescription() const;
+  bool askAgain(Laser& laser);
   bool takeFromUrdf(const std::string& frame);
   void know(const std::string& frame, Laser& laser, const char* source);
   void say(const std::string& frame, const char* source) const;
@@ -46,6 +48,8 @@ class LaserMounts {
   tf2_ros::Buffer& tf_;
   std::string base_frame_;
   std::map<std::string, Laser> lasers_;
+  std::string robot_description_;
+  Background<std::string> asking_;  // for the same, if a laser is not in it
 };
 
 }  // namespace adaptive_localization

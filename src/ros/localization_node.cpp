@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "callbacks.hpp"
 #include "conversions.hpp"
 #include "initial_pose.hpp"
 #include "reconfigure_fields.hpp"
@@ -15,27 +16,32 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
     : parameters_(readParameters(private_node)),
       options_(readNodeOptions(withCacheDir(parameters_))),
       prior_(startOf(options_)),
-      tf_listener_(tf_),
+      tf_input_(tf_),
       odometry_(tf_, options_.odom_frame_id, options_.base_frame_id),
       publisher_(node, private_node, options_),
       display_(private_node, options_),
-      pose_keeper_(private_node, options_.save_pose_rate, options_.pose_file),
+      parameter_writer_(private_node),
+      pose_keeper_(parameter_writer_, options_.save_pose_rate, options_.pose_file),
       scans_(
           node, tf_, options_,
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
           [this](double seconds) { onTimeJump(seconds); }),
-      initial_pose_(node.subscribe("initialpose", 2, &LocalizationNode::onInitialPose, this)),
-      global_localization_(node.advertiseService("global_localization",
-                                                 &LocalizationNode::onGlobalLocalization, this)),
-      no_motion_update_(node.advertiseService("request_nomotion_update",
-                                              &LocalizationNode::onNoMotionUpdate, this)),
-      set_map_(node.advertiseService("set_map", &LocalizationNode::onSetMap, this)),
+      initial_pose_(subscribe<PoseWithCovarianceStamped>(
+          node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
+      global_localization_(serve<std_srvs::Empty>(
+          node, "global_localization", [this](auto&, auto&) { return onGlobalLocalization(); })),
+      no_motion_update_(serve<std_srvs::Empty>(
+          node, "request_nomotion_update", [this](auto&, auto&) { return onNoMotionUpdate(); })),
+      set_map_(serve<nav_msgs::SetMap>(
+          node, "set_map",
+          [this](auto& request, auto& response) { return onSetMap(request, response); })),
       places_(node),
       map_builder_(node, options_, [this](const BuiltMap& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
             [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
       diagnostics_(node, options_, [this] { return health(); }),
-      reconfigure_(private_node, parameters_, [this](const auto& all) { return configure(all); }) {}
+      reconfigure_(private_node, parameter_writer_, parameters_,
+                   [this](const auto& all) { return configure(all); }) {}
 
 /// New options while the robot drives; throws std::invalid_argument and keeps the old ones.
 std::vector<OptionDescription> LocalizationNode::configure(const Parameters& given) {
@@ -120,7 +126,7 @@ void LocalizationNode::onTimeJump(double seconds) {
 void LocalizationNode::startAround(const Localization& known) {
   constexpr int kTrial = 20;
   if (known.status == Status::kUninitialised) return;
-  if (known.status == Status::kGlobalizing) return start(Anywhere{});
+  if (known.status == Status::kGlobalizing && is_anywhere_) return start(Anywhere{});
   const Eigen::Matrix3d wider = known.estimate.covariance + options_.initialPose().covariance;
   start(Gaussian2{known.T_map_base, wider});
   updates_on_trial_ = kTrial;
@@ -166,21 +172,21 @@ void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
 
 bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
                                 nav_msgs::SetMap::Response& response) {
-  response.success = map_builder_.build(request.map, true);
   const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
-  response.success = response.success && pose;
-  if (pose) start(*pose);
+  response.success = pose && map_builder_.build(request.map, true);
+  if (!response.success) return true;
+  start(*pose);
   update_again_ = options_.force_update_after_set_map;
   return true;
 }
 
-bool LocalizationNode::onGlobalLocalization(Empty::Request&, Empty::Response&) {
+bool LocalizationNode::onGlobalLocalization() {
   ROS_INFO("Localizing anywhere on the map");
   start(Anywhere{});
   return true;
 }
 
-bool LocalizationNode::onNoMotionUpdate(Empty::Request&, Empty::Response&) {
+bool LocalizationNode::onNoMotionUpdate() {
   if (localizer_) localizer_->requestUpdate();
   return true;
 }
@@ -188,6 +194,7 @@ bool LocalizationNode::onNoMotionUpdate(Empty::Request&, Empty::Response&) {
 void LocalizationNode::start(const Prior& prior) {
   updates_on_trial_ = 0;
   update_again_ = false;
+  is_anywhere_ = std::holds_alternative<Anywhere>(prior);
   if (localizer_) {
     localizer_->reset(prior);
   } else {

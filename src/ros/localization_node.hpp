@@ -5,7 +5,6 @@
 #include <nav_msgs/SetMap.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@
 #include "pose_keeper.hpp"
 #include "reconfigure.hpp"
 #include "scan_source.hpp"
+#include "transform_input.hpp"
 
 namespace adaptive_localization {
 
@@ -45,15 +45,14 @@ class LocalizationNode {
   const std::optional<Localization>& answer() const { return answer_; }
 
  private:
-  using Empty = std_srvs::Empty;
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
   void onMap(const BuiltMap& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
-  bool onGlobalLocalization(Empty::Request& request, Empty::Response& response);
-  bool onNoMotionUpdate(Empty::Request& request, Empty::Response& response);
+  bool onGlobalLocalization();
+  bool onNoMotionUpdate();
   bool onSetMap(nav_msgs::SetMap::Request& request, nav_msgs::SetMap::Response& response);
   std::vector<OptionDescription> configure(const Parameters& given);
   void start(const Prior& prior);
@@ -67,16 +66,18 @@ class LocalizationNode {
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
   std::optional<Localization> answer_;    // to the last scan
+  bool is_anywhere_{false};               // was the last start's prior
   bool update_again_{false};              // amcl's force_update_after_*
   int updates_on_trial_{0};               // left to find itself where a jump left it
   double ms_per_update_{0.0};
 
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TransformInput tf_input_;
   Odometry odometry_;
   OdometryWatch odometry_watch_;
   EstimatePublisher publisher_;
   Display display_;
+  ParameterWriter parameter_writer_;
   PoseKeeper pose_keeper_;
   ScanSource scans_;
   ros::Subscriber initial_pose_;

@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_builder.hpp"
 
-#include <chrono>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "callbacks.hpp"
 #include "conversions.hpp"
+#include "free_memory.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.02);
+constexpr double kBytesPerCell = 16.0;  // at the most, while a map is being built; measured
 
-BuiltMap built(std::shared_ptr<const OccupancyGrid> grid) {
-  auto field = std::make_shared<const DistanceField>(*grid);
+/// Linux gives memory that it does not have, and kills who uses it: better to ask before.
+void checkMemory(const Lattice& lattice) {
+  const double needed = kBytesPerCell * static_cast<double>(lattice.size());
+  const double free = freeMemory();
+  if (needed <= free) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "map size: got " << lattice.width() << " x " << lattice.height() << " cells, which take "
+       << 1e-9 * needed << " GB to prepare, expected at most the " << 1e-9 * free
+       << " GB that are free";
+  throw std::invalid_argument(text.str());
+}
+
+BuiltMap built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
+  checkMemory(grid->lattice());
+  auto field = std::make_shared<const DistanceField>(*grid, stop);
   return {std::move(grid), std::move(field)};
 }
 
@@ -21,8 +38,8 @@ BuiltMap built(std::shared_ptr<const OccupancyGrid> grid) {
 
 MapBuilder::MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user)
     : options_(options), user_(std::move(user)) {
-  timer_ = node.createWallTimer(
-      kPollPeriod, [this](const ros::WallTimerEvent&) { poll(); }, false, false);
+  timer_ = every(
+      node, kPollPeriod, "Map", [this] { poll(); }, false);
 }
 
 bool MapBuilder::build(const nav_msgs::OccupancyGrid& message, bool wait) {
@@ -31,48 +48,56 @@ bool MapBuilder::build(const nav_msgs::OccupancyGrid& message, bool wait) {
     ROS_WARN("The map's frame is '%s', but global_frame_id is '%s'", frame.c_str(),
              options_.global_frame_id.c_str());
   }
-  Grid grid;
-  try {
-    grid =
-        std::make_shared<const OccupancyGrid>(toGrid(message, options_.map_origin_is_cell_center));
-  } catch (const std::invalid_argument& error) {
-    ROS_ERROR_THROTTLE(10.0, "Map not used: %s", error.what());
-    return false;
-  }
-  if (wait) return use(built(std::move(grid)));
-  if (running_.valid()) {
-    next_ = std::move(grid);
+  const auto converted = outcomeOf([&]() -> Grid {
+    return std::make_shared<const OccupancyGrid>(
+        toGrid(message, options_.map_origin_is_cell_center));
+  });
+  if (!converted.value) return refuse(converted.error);
+  giveUp();
+  if (wait) return use(outcomeOf([&] { return built(*converted.value, {}); }));
+  if (running_.isRunning()) {
+    next_ = *converted.value;
   } else {
-    start(std::move(grid));
+    start(*converted.value);
   }
   return true;
+}
+
+/// What is being built is older than what came now.
+void MapBuilder::giveUp() {
+  running_.stop();
+  is_wanted_ = false;
+  next_ = nullptr;
 }
 
 void MapBuilder::start(Grid grid) {
   ROS_INFO("Preparing a map of %d x %d cells", grid->lattice().width(), grid->lattice().height());
-  running_ = std::async(std::launch::async, built, std::move(grid));
+  is_wanted_ = true;
+  running_.start([grid = std::move(grid)](const StopToken& stop) { return built(grid, stop); });
   timer_.start();
 }
 
 void MapBuilder::poll() {
-  if (running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  const auto map = running_.poll();
+  if (!map) return;
   timer_.stop();
-  const BuiltMap map = running_.get();
   if (next_) return start(std::exchange(next_, nullptr));
-  use(map);
+  if (std::exchange(is_wanted_, false)) use(*map);
 }
 
-bool MapBuilder::use(const BuiltMap& map) {
-  try {
-    user_(map);
-  } catch (const std::invalid_argument& error) {
-    ROS_ERROR_THROTTLE(10.0, "Map not used: %s", error.what());
-    return false;
-  }
-  const Lattice& lattice = map.grid->lattice();
+bool MapBuilder::use(const Outcome<BuiltMap>& map) {
+  if (!map.value) return refuse(map.error);
+  const auto used = outcomeOf([&] { return user_(*map.value), true; });
+  if (!used.value) return refuse(used.error);
+  const Lattice& lattice = map.value->grid->lattice();
   ROS_INFO("Map of %d x %d cells of %.3f m", lattice.width(), lattice.height(),
            lattice.resolution());
   return true;
+}
+
+bool MapBuilder::refuse(const std::string& why) const {
+  ROS_ERROR_THROTTLE(10.0, "Map not used: %s", why.c_str());
+  return false;
 }
 
 }  // namespace adaptive_localization

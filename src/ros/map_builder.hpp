@@ -5,9 +5,9 @@
 #include <ros/ros.h>
 
 #include <functional>
-#include <future>
 #include <memory>
 
+#include "adaptive_localization/background.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "node_options.hpp"
 
@@ -28,20 +28,24 @@ class MapBuilder {
 
   MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user);
 
-  /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built; of several
-  /// the newest. False, and an error in the log, if the map cannot be used.
+  /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built. The newest
+  /// counts: what is still being built before it is given up. False, and an error in the log, if
+  /// the map cannot be used.
   bool build(const nav_msgs::OccupancyGrid& message, bool wait);
 
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;
-  bool use(const BuiltMap& map);
+  bool use(const Outcome<BuiltMap>& map);
+  bool refuse(const std::string& why) const;
+  void giveUp();
   void start(Grid grid);
   void poll();
 
   const NodeOptions& options_;
   User user_;
-  std::future<BuiltMap> running_;
-  Grid next_;  // came while another was being built
+  Background<BuiltMap> running_;
+  bool is_wanted_{false};  // what is running
+  Grid next_;              // came while another was being built
   ros::WallTimer timer_;
 };
 

@@ -2,6 +2,7 @@
 #include "map_publisher.hpp"
 
 #include "adaptive_localization/map/map_io.hpp"
+#include "callbacks.hpp"
 #include "conversions.hpp"
 
 namespace adaptive_localization {
@@ -34,8 +35,13 @@ MapPublisher::MapPublisher(ros::NodeHandle node, ros::NodeHandle private_node,
       map_publisher_(node.advertise<nav_msgs::OccupancyGrid>("map", 1, true)),
       metadata_publisher_(node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true)) {
   load(yaml_file);
-  static_map_ = node.advertiseService("static_map", &MapPublisher::onStaticMap, this);
-  change_map_ = node.advertiseService("change_map", &MapPublisher::onChangeMap, this);
+  static_map_ = serve<nav_msgs::GetMap>(node, "static_map", [this](auto&, auto& response) {
+    response.map = map_;
+    return true;
+  });
+  change_map_ = serve<nav_msgs::LoadMap>(node, "change_map", [this](auto& request, auto& response) {
+    return onChangeMap(request, response);
+  });
 }
 
 void MapPublisher::load(const std::string& yaml_file) {
@@ -47,11 +53,6 @@ void MapPublisher::load(const std::string& yaml_file) {
            map_.info.height, static_cast<double>(map_.info.resolution));
   map_publisher_.publish(map_);
   metadata_publisher_.publish(map_.info);
-}
-
-bool MapPublisher::onStaticMap(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
-  response.map = map_;
-  return true;
 }
 
 bool MapPublisher::onChangeMap(LoadMap::Request& request, LoadMap::Response& response) {

@@ -18,7 +18,6 @@ class MapPublisher {
 
  private:
   void load(const std::string& yaml_file);
-  bool onStaticMap(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
   bool onChangeMap(nav_msgs::LoadMap::Request& request, nav_msgs::LoadMap::Response& response);
 
   std::string frame_;

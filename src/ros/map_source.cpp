@@ -5,19 +5,21 @@
 
 #include <utility>
 
+#include "callbacks.hpp"
+
 namespace adaptive_localization {
 
 MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback)
     : callback_(std::move(callback)), first_only_(first_only) {
   if (use_topic) {
-    subscriber_ = node.subscribe("map", 1, &MapSource::onTopic, this);
+    subscriber_ = subscribe<nav_msgs::OccupancyGrid>(node, "map", 1,
+                                                     [this](const auto& map) { onTopic(map); });
     name_ = "topic " + subscriber_.getTopic();
     ROS_INFO("Waiting for a map on %s", name_.c_str());
     return;
   }
   service_ = node.serviceClient<nav_msgs::GetMap>("static_map");
-  timer_ =
-      node.createWallTimer(ros::WallDuration(0.5), [this](const ros::WallTimerEvent&) { ask(); });
+  timer_ = every(node, ros::WallDuration(0.5), "Asking for a map", [this] { ask(); });
   name_ = "service " + service_.getService();
   ROS_INFO("Waiting for a map from %s", name_.c_str());
 }

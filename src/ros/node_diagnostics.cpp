@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "callbacks.hpp"
 #include "status_message.hpp"
 
 namespace adaptive_localization {
@@ -54,8 +55,7 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const NodeOptions& option
     : options_(options),
       ask_(std::move(ask)),
       publisher_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
-      timer_(node.createWallTimer(ros::WallDuration(1.0),
-                                  [this](const ros::WallTimerEvent&) { publish(); })) {}
+      timer_(every(node, ros::WallDuration(1.0), "Diagnostics", [this] { publish(); })) {}
 
 void NodeDiagnostics::publish() {
   const NodeHealth health = ask_();

@@ -2,6 +2,7 @@
 #include "odometry.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "conversions.hpp"
@@ -16,7 +17,7 @@ std::optional<Pose2> Odometry::at(const ros::Time& stamp, std::string* why) cons
     const Pose2 pose = toPose2(tf_.lookupTransform(odom_frame_, base_frame_, stamp).transform);
     if (isFinite(pose)) return pose;
     if (why) *why = "the transform from " + base_frame_ + " to " + odom_frame_ + " is not finite";
-  } catch (const tf2::TransformException& error) {
+  } catch (const std::runtime_error& error) {  // of tf2, or of a stamp near the end of time
     if (why) *why = error.what();
   }
   return std::nullopt;

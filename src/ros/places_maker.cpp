@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "callbacks.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -34,12 +36,16 @@ bool haveOtherPlaces(const Parameters& these, const Parameters& those) {
 }
 
 PlacesMaker::PlacesMaker(ros::NodeHandle node) {
-  timer_ = node.createWallTimer(
-      kPollPeriod, [this](const ros::WallTimerEvent&) { poll(); }, false, false);
+  timer_ = every(
+      node, kPollPeriod, "Energy grid", [this] { poll(); }, false);
 }
 
 std::shared_ptr<Places> PlacesMaker::make(const BuiltMap& map, const Parameters& parameters) {
-  if (places_ && places_->isBuilding()) retired_.push_back(places_);
+  if (places_ && places_->isBuilding()) {
+    places_->stopBuilding();
+    retired_.push_back(places_);
+    timer_.start();
+  }
   places_ = std::make_shared<Places>(map.grid, map.field, parameters.read<EnergyGridOptions>(),
                                      parameters.read<GlobalSearchOptions>(),
                                      Places::Build::kInBackground);

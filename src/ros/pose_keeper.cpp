@@ -2,7 +2,6 @@
 #include "pose_keeper.hpp"
 
 #include <ros/console.h>
-#include <ros/master.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -12,8 +11,8 @@
 
 namespace adaptive_localization {
 
-PoseKeeper::PoseKeeper(const ros::NodeHandle& private_node, double rate, std::string file)
-    : node_(private_node), rate_(rate), file_(std::move(file)) {}
+PoseKeeper::PoseKeeper(ParameterWriter& parameters, double rate, std::string file)
+    : parameters_(parameters), rate_(rate), file_(std::move(file)) {}
 
 void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
   if (rate_ <= 0.0 || !isFinite(pose.mean) || !pose.covariance.allFinite()) return;
@@ -27,17 +26,12 @@ void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
 void PoseKeeper::write() const {
   if (!pose_) return;
   writeFile();
-  if (!ros::master::check()) {  // setParam would wait for it, and with it the whole node
-    ROS_WARN_THROTTLE(10.0, "No ROS master at %s: localizing goes on, but the pose is not kept",
-                      ros::master::getURI().c_str());
-    return;
-  }
-  node_.setParam("initial_pose_x", pose_->mean.x);
-  node_.setParam("initial_pose_y", pose_->mean.y);
-  node_.setParam("initial_pose_a", pose_->mean.theta);
-  node_.setParam("initial_cov_xx", pose_->covariance(0, 0));
-  node_.setParam("initial_cov_yy", pose_->covariance(1, 1));
-  node_.setParam("initial_cov_aa", pose_->covariance(2, 2));
+  parameters_.set("initial_pose_x", pose_->mean.x);
+  parameters_.set("initial_pose_y", pose_->mean.y);
+  parameters_.set("initial_pose_a", pose_->mean.theta);
+  parameters_.set("initial_cov_xx", pose_->covariance(0, 0));
+  parameters_.set("initial_cov_yy", pose_->covariance(1, 1));
+  parameters_.set("initial_cov_aa", pose_->covariance(2, 2));
 }
 
 void PoseKeeper::writeFile() const {

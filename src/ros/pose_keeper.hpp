@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/node_handle.h>
+#include <ros/time.h>
 
 #include <optional>
 #include <string>
 
 #include "adaptive_localization/filter.hpp"
+#include "parameter_writer.hpp"
 
 namespace adaptive_localization {
 
@@ -15,7 +16,7 @@ namespace adaptive_localization {
 class PoseKeeper {
  public:
   /// `rate` in Hz; not above 0: keeps nothing. `file`: written too, unless empty.
-  PoseKeeper(const ros::NodeHandle& private_node, double rate, std::string file);
+  PoseKeeper(ParameterWriter& parameters, double rate, std::string file);
 
   void setRate(double rate) { rate_ = rate; }
 
@@ -28,7 +29,7 @@ class PoseKeeper {
  private:
   void writeFile() const;
 
-  ros::NodeHandle node_;
+  ParameterWriter& parameters_;
   double rate_;
   std::string file_;
   std::optional<Gaussian2> pose_;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "callbacks.hpp"
 #include "reconfigure_fields.hpp"
 
 namespace adaptive_localization {
@@ -37,27 +38,34 @@ OptionValue nearestFor(const OptionDescription& field, const OptionValue& value)
 
 }  // namespace
 
-Reconfigure::Reconfigure(const ros::NodeHandle& private_node, const Parameters& given, Apply apply)
-    : node_(private_node), apply_(std::move(apply)), at_start_(given), given_(given) {
+Reconfigure::Reconfigure(const ros::NodeHandle& private_node, ParameterWriter& server,
+                         const Parameters& given, Apply apply)
+    : node_(private_node),
+      server_(server),
+      apply_(std::move(apply)),
+      at_start_(given),
+      given_(given) {
   descriptions_ =
       node_.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, true);
   updates_ = node_.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, true);
   this->apply(given);
   publish();
-  service_ = node_.advertiseService("set_parameters", &Reconfigure::onRequest, this);
+  service_ = serve<Service>(node_, "set_parameters", [this](auto& request, auto& response) {
+    return onRequest(request, response);
+  });
 }
 
 Reconfigure::~Reconfigure() {
   for (const auto& entry : written_) {
-    if (!given_.has(entry.first) && !node_.deleteParam(entry.first)) return;  // no master any more
+    if (!given_.has(entry.first)) server_.remove(entry.first);
   }
 }
 
 bool Reconfigure::onRequest(Service::Request& request, Service::Response& response) {
   try {
     change(valuesOf(request.config));
-  } catch (const std::invalid_argument& error) {
-    ROS_WARN("Options stay as they were: %s", error.what());
+  } catch (...) {  // a plug-in may throw anything
+    ROS_WARN("Options stay as they were: %s", errorText().c_str());
     apply(given_);
   }
   publish();
@@ -133,11 +141,10 @@ void Reconfigure::publish() {
   if (described_ != fields_.size()) descriptions_.publish(toDescription(fields_));
   described_ = fields_.size();
   updates_.publish(toConfig(fields_));
-  if (!ros::master::check()) return;  // setParam would wait for it, and with it the whole node
   for (const auto& field : fields_) {
     const auto before = written_.find(field.key);
     if (before != written_.end() && before->second == field.value) continue;
-    std::visit([&](const auto& value) { node_.setParam(field.key, value); }, field.value);
+    server_.set(field.key, field.value);
     written_[field.key] = field.value;
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/options.hpp"
+#include "parameter_writer.hpp"
 #include "reconfigure_messages.hpp"
 
 namespace adaptive_localization {
@@ -21,7 +22,8 @@ class Reconfigure {
   using Apply = std::function<std::vector<OptionDescription>(const Parameters&)>;
 
   /// `given` are the parameters at the start, which `restore_defaults` goes back to.
-  Reconfigure(const ros::NodeHandle& private_node, const Parameters& given, Apply apply);
+  Reconfigure(const ros::NodeHandle& private_node, ParameterWriter& server, const Parameters& given,
+              Apply apply);
 
   /// Takes those values off the parameter server that are neither given nor set, so that they do
   /// not override another core's presets at the next start.
@@ -38,6 +40,7 @@ class Reconfigure {
   void publish();
 
   ros::NodeHandle node_;
+  ParameterWriter& server_;
   Apply apply_;
   Parameters at_start_;
   Parameters given_;

@@ -32,13 +32,20 @@ inline bool isReadAtStart(const std::string& key) {
   return keys.count(key) > 0;
 }
 
-/// What dynamic_reconfigure's clients see of all options: not where the robot starts.
+/// Whether an option names code or a file. Who may send messages may not choose what the node loads
+/// and where it writes: these belong to the start alone and are no fields of dynamic_reconfigure.
+inline bool namesCodeOrFile(const std::string& key) {
+  return key == "plugins" || key == "cache_dir" || key == "line_map" || key == "pose_file";
+}
+
+/// What dynamic_reconfigure's clients see of all options: not where the robot starts, and nothing
+/// that names code or files.
 inline std::vector<OptionDescription> fieldsOf(const std::vector<OptionDescription>& options,
                                                const AmclFields& amcl) {
   std::vector<OptionDescription> fields;
   for (const auto& option : options) {
     const bool is_start = option.key == "start" || option.key.rfind("initial_", 0) == 0;
-    if (!is_start) fields.push_back(option);
+    if (!is_start && !namesCodeOrFile(option.key)) fields.push_back(option);
   }
   const auto more = describe(amcl);
   fields.insert(fields.end(), more.begin(), more.end());

@@ -6,7 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "adaptive_localization/background.hpp"
+#include "callbacks.hpp"
 #include "conversions.hpp"
+#include "stamps.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -26,14 +29,19 @@ ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOpti
       callback_(std::move(callback)),
       on_jump_(std::move(on_jump)),
       filter_(tf, options.odom_frame_id, kQueue, node) {
-  filter_.registerCallback([this](const sensor_msgs::LaserScan::ConstPtr& m) { onPlaced(m); });
-  filter_.registerFailureCallback([this](const sensor_msgs::LaserScan::ConstPtr& message,
-                                         tf2_ros::filter_failure_reasons::FilterFailureReason) {
-    drop("tf cannot place frame '" + message->header.frame_id + "' in '" + options_.odom_frame_id +
-         "' at its stamp");
+  using ScanPtr = sensor_msgs::LaserScan::ConstPtr;
+  filter_.registerCallback([this](const ScanPtr& message) {
+    const auto outcome = outcomeOf([&] { return use(*message); });
+    if (!outcome.value) drop(outcome.error);
   });
+  filter_.registerFailureCallback(
+      [this](const ScanPtr& message, tf2_ros::filter_failure_reasons::FilterFailureReason) {
+        drop("tf cannot place frame '" + message->header.frame_id + "' in '" +
+             options_.odom_frame_id + "' at its stamp");
+      });
   for (const auto& topic : namesIn(options.scan_topics)) {
-    subscribers_.push_back(node.subscribe(topic, kQueue, &ScanSource::add, this));
+    subscribers_.push_back(subscribe<sensor_msgs::LaserScan>(
+        node, topic, kQueue, [this](const ScanPtr& message) { add(message); }));
   }
 }
 
@@ -47,6 +55,7 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
   last_received_ = ros::WallTime::now();
   last_frame_ = withoutLeadingSlash(message->header.frame_id);
   if (last_frame_.empty()) return drop("its frame_id is empty");
+  if (!leavesRoom(message->header.stamp)) return drop("its stamp is out of range");
   sensor_msgs::LaserScan::ConstPtr scan = message;
   if (options_.scan_time_offset != 0.0) {
     const auto shifted = boost::make_shared<sensor_msgs::LaserScan>(*message);
@@ -74,24 +83,23 @@ void ScanSource::onJump(double seconds, const ros::Time& stamp) {
       const auto newest =
           tf_.lookupTransform(options_.odom_frame_id, options_.base_frame_id, ros::Time(0));
       if (newest.header.stamp.toSec() > stamp.toSec() + 1.0) tf_.clear();
-    } catch (const tf2::TransformException&) {  // emptied already
+    } catch (const std::runtime_error&) {  // emptied already
     }
     filter_.clear();
   }
   on_jump_(seconds);
 }
 
-void ScanSource::onPlaced(const sensor_msgs::LaserScan::ConstPtr& message) {
+/// Throws whatever is wrong with the scan.
+bool ScanSource::use(const sensor_msgs::LaserScan& message) {
   std::string why;
   const auto mount =
-      mounts_.at(withoutLeadingSlash(message->header.frame_id), message->header.stamp, &why);
-  if (!mount) return drop(why);
+      mounts_.at(withoutLeadingSlash(message.header.frame_id), message.header.stamp, &why);
+  if (!mount) throw std::invalid_argument(why);
   last_placed_ = ros::WallTime::now();
-  try {
-    if (callback_(*message, *mount)) ++counts_.used;
-  } catch (const std::invalid_argument& error) {
-    drop(error.what());
-  }
+  const bool is_used = callback_(message, *mount);
+  if (is_used) ++counts_.used;
+  return is_used;
 }
 
 void ScanSource::drop(const std::string& why) {

@@ -23,7 +23,7 @@ namespace adaptive_localization {
 /// emptied and what was held back is forgotten.
 class ScanSource {
  public:
-  /// Says whether the scan was used; throws std::invalid_argument saying what is wrong with it.
+  /// Says whether the scan was used; throws what is wrong with it.
   using Callback = std::function<bool(const sensor_msgs::LaserScan&, const LaserMount&)>;
   /// Told by how many seconds time jumped.
   using JumpCallback = std::function<void(double)>;
@@ -52,7 +52,7 @@ class ScanSource {
   using Filter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
 
   void onJump(double seconds, const ros::Time& stamp);
-  void onPlaced(const sensor_msgs::LaserScan::ConstPtr& message);
+  bool use(const sensor_msgs::LaserScan& message);
   void drop(const std::string& why);
 
   tf2_ros::Buffer& tf_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "callbacks.hpp"
 #include "conversions.hpp"
 #include "ros_params.hpp"
 #include "truth_markers.hpp"
@@ -60,12 +61,15 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
   if (options_.publish_laser_tf) publishLaserFrame();
-  command_ = node.subscribe("cmd_vel", 1, &SimulatorNode::onCommand, this);
-  kidnap_ = node.subscribe("kidnap", 1, &SimulatorNode::onKidnap, this);
-  kidnap_random_ = node.advertiseService("kidnap_random", &SimulatorNode::onKidnapRandom, this);
-  reset_ = node.advertiseService("reset_positions", &SimulatorNode::onReset, this);
-  timer_ = node.createWallTimer(ros::WallDuration(kTick),
-                                [this](const ros::WallTimerEvent&) { advance(); });
+  command_ = subscribe<geometry_msgs::Twist>(node, "cmd_vel", 1,
+                                             [this](const auto& message) { onCommand(*message); });
+  kidnap_ = subscribe<geometry_msgs::PoseStamped>(
+      node, "kidnap", 1, [this](const auto& message) { onKidnap(*message); });
+  kidnap_random_ = serve<std_srvs::Empty>(node, "kidnap_random",
+                                          [this](auto&, auto&) { return onKidnapRandom(); });
+  reset_ =
+      serve<std_srvs::Empty>(node, "reset_positions", [this](auto&, auto&) { return onReset(); });
+  timer_ = every(node, ros::WallDuration(kTick), "Simulation", [this] { advance(); });
   reportPlace("Simulated Pioneer 3-DX starts");
 }
 
@@ -164,13 +168,13 @@ void SimulatorNode::onKidnap(const geometry_msgs::PoseStamped& message) {
   reportPlace("Robot carried");
 }
 
-bool SimulatorNode::onKidnapRandom(Empty::Request&, Empty::Response&) {
+bool SimulatorNode::onKidnapRandom() {
   simulation_.kidnapRandom();
   reportPlace("Robot carried");
   return true;
 }
 
-bool SimulatorNode::onReset(Empty::Request&, Empty::Response&) {
+bool SimulatorNode::onReset() {
   simulation_.reset();
   reportPlace("Robot carried back");
   return true;

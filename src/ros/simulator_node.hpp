@@ -49,8 +49,6 @@ class SimulatorNode {
   SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node);
 
  private:
-  using Empty = std_srvs::Empty;
-
   explicit SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
                          const Parameters& parameters);
   void advance();
@@ -61,8 +59,8 @@ class SimulatorNode {
   void publishLaserFrame();
   void onCommand(const geometry_msgs::Twist& message);
   void onKidnap(const geometry_msgs::PoseStamped& message);
-  bool onKidnapRandom(Empty::Request& request, Empty::Response& response);
-  bool onReset(Empty::Request& request, Empty::Response& response);
+  bool onKidnapRandom();
+  bool onReset();
   void reportPlace(const char* what) const;
   ros::Time toRosTime(double simulated) const { return epoch_ + ros::Duration(simulated); }
 

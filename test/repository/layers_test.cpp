@@ -131,6 +131,27 @@ TEST(Layers, OnlyTheBorderKnowsRos) {
   EXPECT_THAT(wrong, IsEmpty());
 }
 
+/// What roscpp calls must not throw: a function reaches it through ros/callbacks.hpp alone.
+TEST(Layers, EveryCallbackIsGuarded) {
+  const std::regex hands_over(
+      R"re((\.|->)(subscribe|advertiseService|createTimer|createWallTimer)\b|tf2_ros::TransformListener)re");
+  std::vector<std::string> wrong;
+  bool guard_was_read = false;
+  for (const std::string folder : {"src/ros", "src/apps"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_DIR) / folder)) {
+      std::ifstream stream(entry.path());
+      const bool is_guard = entry.path().filename() == "callbacks.hpp";
+      for (std::string line; std::getline(stream, line);) {
+        if (!std::regex_search(line, hands_over)) continue;
+        guard_was_read = guard_was_read || is_guard;
+        if (!is_guard) wrong.push_back(entry.path().filename().string() + ": " + line);
+      }
+    }
+  }
+  EXPECT_TRUE(guard_was_read);
+  EXPECT_THAT(wrong, IsEmpty());
+}
+
 TEST(Layers, PublicHeadersNeedOnlyPublicHeaders) {
   const std::regex known(
       R"re(^(adaptive_localization/.*\.hpp|Eigen/\w+|boost/.*|nlohmann/.*|[a-z_]+)$)re");

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""roscore ends and comes back: the node says so, idles as before, goes on and still ends when asked
-to. All in a ROS world of its own."""
+"""roscore ends and comes back, or does not answer: the node says so, idles as before, goes on and
+still ends when asked to. All in a ROS world of its own."""
 import os
 import signal
 import socket
@@ -74,14 +74,18 @@ class MasterGone(unittest.TestCase):
         time.sleep(seconds)
         return (spent() - begin) / seconds
 
-    def test_node_outlives_the_master(self):
-        master = self.start_master()
+    def start_robot(self):
+        """The node among a simulated robot and a map, once it has kept a pose."""
         self.start("map_publisher", os.path.join(MAZE, "map.yaml"))
         self.start("p3dx_simulator", "_world:=" + os.path.join(MAZE, "world.yaml"), "_drive:=true",
                    "_start:=0.8,0.8,1.57")
         node = self.start("adaptive_localization", "_save_pose_rate:=2")
         self.wait(lambda: self.kept() is not None, "a kept pose")
+        return node
 
+    def test_node_outlives_the_master(self):
+        master = self.start_master()
+        node = self.start_robot()
         master.send_signal(signal.SIGINT)
         master.wait()
         self.wait(lambda: "No ROS master at " + self.uri in self.said(), "what the node says")
@@ -92,6 +96,28 @@ class MasterGone(unittest.TestCase):
         self.wait(lambda: self.kept() is not None, "a kept pose")
 
         self.assertIsNone(node.poll())
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(node.wait(AT_LAST), 0)
+
+    def test_node_localizes_while_the_master_is_frozen(self):
+        """As behind a wireless link that is lost: what is written to it waits, scans do not."""
+        master = self.start_master()
+        node = self.start_robot()
+        poses = tempfile.TemporaryFile("w+")
+        self.run_until_clean_up("rostopic", "echo", "-p", "/amcl_pose/header/stamp", stdout=poses)
+
+        def count():
+            poses.seek(0)
+            return len(poses.readlines())
+
+        self.wait(lambda: count() > 5, "poses")
+        master.send_signal(signal.SIGSTOP)
+        self.addCleanup(master.send_signal, signal.SIGCONT)
+        before = count()
+        self.wait(lambda: count() > before + 100, "poses without a master")
+        master.send_signal(signal.SIGCONT)
+        old = self.kept()
+        self.wait(lambda: self.kept() != old, "a pose kept anew")
         node.send_signal(signal.SIGINT)
         self.assertEqual(node.wait(AT_LAST), 0)
 

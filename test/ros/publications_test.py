@@ -74,9 +74,18 @@ class Publications(ToyRobotCase):
         self.steps(5)
         self.assertEqual(self.counts(), (1, 1, 5))
         self.assertLess(self.error(), 0.15)
-        empty = room()
+        self.a_refused_map_changes_nothing(set_map)
+
+    def a_refused_map_changes_nothing(self, set_map):
+        """Neither the map nor the pose that came with it."""
+        empty, full = room(), room()
         empty.data = []
-        self.assertFalse(set_map(empty, initial_pose(*self.pose)).success)
+        full.data = [100] * len(full.data)
+        for unusable in [empty, full]:
+            self.assertFalse(set_map(unusable, initial_pose(6.0, 2.0, 2.0)).success)
+        self.assertFalse(set_map(full, initial_pose(*self.pose, frame="attic")).success)
+        self.steps(3, (0.11, 0.0, 0.0))
+        self.assertLess(self.error(), 0.15)
 
     def diagnostics_are_fine(self):
         self.forget()

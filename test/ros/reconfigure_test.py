@@ -146,14 +146,15 @@ class Reconfigure(LocalizationCase):
         self.assertEqual(answer["transform_tolerance"], 60.0)
         self.set(restore_defaults=True)
         for wrong in [{"filter": "mlc"}, {"laser_model_type": "radar"}, {"kld_z": float("nan")},
-                      {"plugins": "/nowhere.so"}, {"confidence_low_inliers": 0.9}]:
+                      {"confidence_low_inliers": 0.9}]:
             wrong["max_particles"] = 400
             answer = self.set(**wrong)
             self.assertEqual(answer["max_particles"], before["max_particles"], wrong)
             for key in wrong:
                 self.assertEqual(answer[key], before[key])
-        with self.assertRaises(DynamicReconfigureParameterException):
-            self.set(no_such_field=3)
+        for unknown in ["no_such_field", "plugins", "cache_dir", "line_map", "pose_file"]:
+            with self.assertRaises(DynamicReconfigureParameterException):
+                self.set(**{unknown: "/nowhere.so"})
         answer = self.set(max_particles=100)  # below min_particles
         self.assertEqual(answer["max_particles"], answer["min_particles"])
         self.expect_smooth_tracking(2)
