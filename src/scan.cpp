@@ -31,16 +31,103 @@ void check(const LaserScan& message) {
   }
 }
 
+/// Reads beams one by one, as base would have seen them when the first was sent.
+class BeamReader {
+ public:
+  struct Beam {
+    double range{0.0};  // m, seen from above; NaN invalid, inf no return
+    double bearing{0.0};
+    Eigen::Vector2d point;  // of a hit
+  };
+
+  BeamReader(const LaserScan& message, const LaserMount& mount, const ScanOptions& options,
+             const BaseVelocity& velocity)
+      : message_(message), mount_(mount), velocity_(velocity) {
+    min_range_ = std::max(message.range_min, options.laser_min_range);
+    // a driver may say that its laser has no limit; the models need a number
+    const double limit = std::min<double>(message.range_max, std::numeric_limits<float>::max());
+    max_range_ = options.laser_max_range > 0.0 ? std::min(limit, options.laser_max_range) : limit;
+    const bool moves = velocity.x != 0.0 || velocity.y != 0.0 || velocity.turn != 0.0;
+    if (options.deskew && moves && durationOf(message) > 0.0) {
+      between_beams_ = message.time_increment;
+    }
+  }
+
+  double maxRange() const { return max_range_; }
+
+  Beam read(Eigen::Index i) const {
+    const double range = message_.ranges[static_cast<std::size_t>(i)];
+    const double angle = angleOf(i);
+    const Eigen::Vector2d direction =
+        mount_.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    Beam beam;
+    beam.range = kindOrRange(range, angle, direction.norm());
+    beam.bearing = std::atan2(direction.y(), direction.x());
+    beam.point = mount_.position + range * direction;
+    if (between_beams_ > 0.0) deskew(static_cast<double>(i) * between_beams_, beam);
+    return beam;
+  }
+
+ private:
+  /// One beam alone needs no increment.
+  double angleOf(Eigen::Index i) const {
+    return i == 0 ? message_.angle_min
+                  : message_.angle_min + static_cast<double>(i) * message_.angle_increment;
+  }
+
+  double kindOrRange(double range, double angle, double scale) const {
+    const bool in_view = angle >= mount_.view.low && angle <= mount_.view.high;
+    if (std::isnan(range) || range <= 0.0 || range < min_range_ || !in_view) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return range >= max_range_ ? std::numeric_limits<double>::infinity() : range * scale;
+  }
+
+  void deskew(double t, Beam& beam) const {
+    const Pose2 T_first_now{velocity_.x * t, velocity_.y * t, velocity_.turn * t};
+    beam.bearing = wrapAngle(beam.bearing + T_first_now.theta);
+    beam.point = T_first_now * beam.point;
+  }
+
+  const LaserScan& message_;
+  const LaserMount& mount_;
+  BaseVelocity velocity_;
+  double min_range_{0.0};
+  double max_range_{0.0};
+  double between_beams_{0.0};  // s; 0 where nothing is to be undone
+};
+
 /// A mount that mirrors the plane (upside down) makes the last beam the rightmost.
-void setView(const LaserScan& message, const LaserMount& mount, Scan& scan) {
-  const auto steps = static_cast<double>(message.ranges.size() - 1);
-  const double swept = steps > 0.0 ? steps * message.angle_increment : 0.0;
+ScanView viewOf(const LaserScan& message, const LaserMount& mount, const BeamReader& reader) {
+  const auto last = static_cast<Eigen::Index>(message.ranges.size()) - 1;
+  const double increment = last > 0 ? message.angle_increment : 0.0;
+  const double swept = static_cast<double>(last) * increment;
   const bool mirrored = mount.axes(0, 0) * mount.axes(1, 1) < mount.axes(0, 1) * mount.axes(1, 0);
   const bool last_is_rightmost = (swept < 0.0) != mirrored;
   const double angle = message.angle_min + (last_is_rightmost ? swept : 0.0);
   const Eigen::Vector2d direction = mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  scan.view_start = std::atan2(direction.y(), direction.x());
-  scan.view_width = std::min(std::abs(swept), 2.0 * kPi);
+  ScanView view;
+  view.start = std::atan2(direction.y(), direction.x());
+  view.width = std::min(std::abs(swept), 2.0 * kPi);
+  view.spacing = std::max(std::abs(increment), ScanView::kFinest);
+  constexpr double kTolerance = 1e-3;  // of a spacing: increments are rounded
+  const auto count = static_cast<Eigen::Index>(view.width / view.spacing + kTolerance) + 1;
+  view.range.resize(count);
+  view.bearing.resize(count);
+  const double beams_apart = last > 0 ? view.spacing / std::abs(increment) : 0.0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto steps = std::lround(static_cast<double>(k) * beams_apart);
+    const Eigen::Index i = std::min<Eigen::Index>(steps, last);
+    const BeamReader::Beam beam = reader.read(last_is_rightmost ? last - i : i);
+    view.range[k] = static_cast<float>(beam.range);
+    view.bearing[k] = static_cast<float>(beam.bearing);
+  }
+  return view;
+}
+
+/// Number k of the beams used: evenly spread from the first to the last, rounded to the nearest.
+Eigen::Index usedBeam(Eigen::Index k, Eigen::Index used, Eigen::Index beams) {
+  return used == beams ? k : (k * (beams - 1) + (used - 1) / 2) / (used - 1);
 }
 
 }  // namespace
@@ -70,63 +157,36 @@ double durationOf(const LaserScan& message) {
 Scan toScan(const LaserScan& message, const LaserMount& mount, const ScanOptions& options,
             const BaseVelocity& velocity) {
   check(message);
-  const double min_range = std::max(message.range_min, options.laser_min_range);
-  // a driver may say that its laser has no limit; the models need a number
-  const double limit = std::min<double>(message.range_max, std::numeric_limits<float>::max());
-  const double max_range =
-      options.laser_max_range > 0.0 ? std::min(limit, options.laser_max_range) : limit;
+  const BeamReader reader(message, mount, options, velocity);
   const auto beams = static_cast<Eigen::Index>(message.ranges.size());
-  const bool moves = velocity.x != 0.0 || velocity.y != 0.0 || velocity.turn != 0.0;
-  const double between_beams =
-      options.deskew && moves && durationOf(message) > 0.0 ? message.time_increment : 0.0;
   const Eigen::Index used = std::min<Eigen::Index>(beams, options.laser_max_beams);
 
   Scan scan;
   scan.position = mount.position;
-  scan.max_range = max_range;
-  setView(message, mount, scan);
-  scan.x.resize(used);
-  scan.y.resize(used);
-  scan.range.resize(used);
-  scan.bearing.resize(used);
-  scan.no_return_bearing.resize(used);
+  scan.max_range = reader.maxRange();
+  scan.view = viewOf(message, mount, reader);
+  for (auto* column : {&scan.x, &scan.y, &scan.range, &scan.bearing, &scan.no_return_bearing}) {
+    column->resize(used);
+  }
   Eigen::Index hits = 0;
   Eigen::Index no_returns = 0;
   for (Eigen::Index k = 0; k < used; ++k) {
-    // evenly spread from the first beam to the last, rounded to the nearest
-    const Eigen::Index i = used == beams ? k : (k * (beams - 1) + (used - 1) / 2) / (used - 1);
-    const double range = message.ranges[static_cast<std::size_t>(i)];
-    const double angle = i == 0
-                             ? message.angle_min
-                             : message.angle_min + static_cast<double>(i) * message.angle_increment;
-    const bool in_view = angle >= mount.view.low && angle <= mount.view.high;
-    if (std::isnan(range) || range <= 0.0 || range < min_range || !in_view) {
+    const BeamReader::Beam beam = reader.read(usedBeam(k, used, beams));
+    if (std::isnan(beam.range)) {
       ++scan.invalid;
-      continue;
+    } else if (std::isinf(beam.range)) {
+      scan.no_return_bearing[no_returns++] = static_cast<float>(beam.bearing);
+    } else {
+      scan.x[hits] = static_cast<float>(beam.point.x());
+      scan.y[hits] = static_cast<float>(beam.point.y());
+      scan.range[hits] = static_cast<float>(beam.range);
+      scan.bearing[hits] = static_cast<float>(beam.bearing);
+      ++hits;
     }
-    const double t = static_cast<double>(i) * between_beams;
-    const Pose2 T_first_now{velocity.x * t, velocity.y * t, velocity.turn * t};
-    const Eigen::Vector2d direction =
-        mount.axes * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    const double bearing_now = std::atan2(direction.y(), direction.x());
-    const auto bearing = static_cast<float>(
-        between_beams > 0.0 ? wrapAngle(bearing_now + T_first_now.theta) : bearing_now);
-    if (range >= max_range) {
-      scan.no_return_bearing[no_returns++] = bearing;
-      continue;
-    }
-    Eigen::Vector2d point = mount.position + range * direction;
-    if (between_beams > 0.0) point = T_first_now * point;
-    scan.x[hits] = static_cast<float>(point.x());
-    scan.y[hits] = static_cast<float>(point.y());
-    scan.range[hits] = static_cast<float>(range * direction.norm());
-    scan.bearing[hits] = bearing;
-    ++hits;
   }
-  scan.x.conservativeResize(hits);
-  scan.y.conservativeResize(hits);
-  scan.range.conservativeResize(hits);
-  scan.bearing.conservativeResize(hits);
+  for (auto* column : {&scan.x, &scan.y, &scan.range, &scan.bearing}) {
+    column->conservativeResize(hits);
+  }
   scan.no_return_bearing.conservativeResize(no_returns);
   return scan;
 }

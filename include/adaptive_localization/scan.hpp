@@ -40,17 +40,29 @@ struct LaserMount {
   static LaserMount upsideDown(const Pose2& T_base_sensor);
 };
 
+/// A scan as it was before laser_max_beams thinned it, for what needs the same directions of every
+/// scan: its beams from the rightmost to the leftmost, valid or not, or if they are closer together
+/// than kFinest those nearest to every kFinest. In the base frame.
+struct ScanView {
+  static constexpr double kFinest = kPi / 90.0;  // rad
+
+  double start{0.0};        // bearing of the rightmost beam, rad
+  double width{0.0};        // from there to the leftmost, rad
+  double spacing{kFinest};  // of the beams below, rad
+  Eigen::ArrayXf range;     // m; NaN invalid, inf no return
+  Eigen::ArrayXf bearing;   // rad
+};
+
 /// What was sensed by a scan, thinned, in the base frame. Three kinds of beam are kept apart: a hit
 /// has an end point, a no-return saw nothing up to max_range, an invalid one tells nothing.
 struct Scan {
   Eigen::Vector2d position{0.0, 0.0};  // of the sensor, in base
   double max_range{0.0};               // m
-  double view_start{0.0};              // bearing of the rightmost beam, valid or not, rad in base
-  double view_width{0.0};              // from there to the leftmost, rad
   Eigen::ArrayXf x, y;                 // end points of the hits in base, m
   Eigen::ArrayXf range, bearing;       // of the hits: m, rad in base
   Eigen::ArrayXf no_return_bearing;    // rad in base
   int invalid{0};
+  ScanView view;  // not thinned
 
   int hits() const { return static_cast<int>(x.size()); }
 };

@@ -11,49 +11,45 @@
 namespace adaptive_localization {
 namespace {
 
-/// A laser that sees all round sees the same in all headings.
+/// A laser that sees all round sees the same in all headings, if its beams are close together.
 int orientationsFor(const ScanGeometry& geometry, const EnergyGridOptions& options) {
-  return geometry.count == kDirections ? 1 : options.energy_orientations;
+  return geometry.beams() == kDirections ? 1 : options.energy_orientations;
 }
 
-/// For each direction, the sum of the ranges of `beams` directions, `step` apart, from it on: by
-/// doubling, from sums of 1, 2, 4 and so on.
+/// The directions of the beams that make an energy, evenly spread over those that the laser has.
+std::vector<int> energyDirections(const ScanGeometry& geometry, const EnergyGridOptions& options) {
+  const int count = std::min(options.energy_beams, geometry.beams());
+  std::vector<int> directions;
+  for (int k = 0; k < count; ++k) {
+    directions.push_back(geometry.directionOf(k * geometry.beams() / count) % kDirections);
+  }
+  return directions;
+}
+
+/// For each direction of beam 0, the sum of the ranges of some directions from it on.
 class BeamSums {
  public:
   using Sums = std::array<std::uint16_t, kDirections>;
 
-  BeamSums(int beams, int step) : beams_(beams), step_(step) {}
+  explicit BeamSums(const std::vector<int>& directions) : directions_(directions) {}
 
   const Sums& of(const std::uint8_t* ranges) {
-    std::copy(ranges, ranges + kDirections, doubled_.begin());
-    total_.fill(0);
-    int summed = 0;  // beams in total_
-    for (int many = 1;; many *= 2) {
-      if ((beams_ & many) != 0) {
-        add(doubled_, summed * step_, total_);
-        summed += many;
+    std::copy(ranges, ranges + kDirections, twice_round_.begin());
+    std::copy(ranges, ranges + kDirections, twice_round_.begin() + kDirections);
+    sums_.fill(0);
+    for (const int direction : directions_) {
+      const std::uint8_t* from = twice_round_.data() + direction;
+      for (std::size_t i = 0; i < kDirections; ++i) {
+        sums_[i] = static_cast<std::uint16_t>(sums_[i] + from[i]);
       }
-      if (summed == beams_) return total_;
-      const Sums single = doubled_;
-      add(single, many * step_, doubled_);
     }
+    return sums_;
   }
 
  private:
-  /// to[i] += from[i + shift], round the circle.
-  static void add(const Sums& from, int shift, Sums& to) {
-    const auto turned = static_cast<std::size_t>(shift % kDirections);
-    const std::size_t whole = kDirections - turned;
-    for (std::size_t i = 0; i < whole; ++i) {
-      to[i] = static_cast<std::uint16_t>(to[i] + from[i + turned]);
-    }
-    for (std::size_t i = whole; i < kDirections; ++i) {
-      to[i] = static_cast<std::uint16_t>(to[i] + from[i - whole]);
-    }
-  }
-
-  int beams_, step_;
-  Sums doubled_, total_;
+  const std::vector<int>& directions_;
+  std::array<std::uint8_t, 2 * kDirections> twice_round_;
+  Sums sums_;
 };
 
 }  // namespace
@@ -86,8 +82,7 @@ EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeome
     : ranges_(std::move(ranges)),
       geometry_(geometry),
       orientations_(orientationsFor(geometry, options)),
-      beams_(std::min(options.energy_beams, geometry.count)),
-      beam_step_(std::max(1, geometry.count / beams_)),
+      directions_(energyDirections(geometry, options)),
       ser_delta_(options.ser_delta),
       sorted_(std::move(sorted)) {}
 
@@ -102,7 +97,7 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
   std::vector<std::uint16_t> sums(poses);
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
     stop.check();
-    BeamSums beam_sums(beams_, beam_step_);
+    BeamSums beam_sums(directions_);
     std::uint16_t* sum = sums.data() + chunk.begin * static_cast<std::size_t>(orientations_);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const BeamSums::Sums& of_cell = beam_sums.of(ranges_->ranges(i));
@@ -111,7 +106,7 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
       }
     }
   });
-  std::vector<std::uint32_t> starts(static_cast<std::size_t>(beams_ * kNoReturn) + 2, 0);
+  std::vector<std::uint32_t> starts(directions_.size() * kNoReturn + 2, 0);
   for (const std::uint16_t sum : sums) ++starts[sum + 1U];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   stop.check();
@@ -123,22 +118,21 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
 }
 
 std::optional<ScanEnergy> EnergyGrid::energyOf(const Scan& scan) const {
-  const DirectionalScan beams = toDirections(scan, geometry_);
   double sum = 0.0;
   int valid = 0;
-  for (int k = 0; k < beams_; ++k) {
-    const int range = beams.range[static_cast<std::size_t>(k * beam_step_)];
+  for (const int direction : directions_) {
+    const int range = rangeIn(direction, scan, geometry_);
     if (range < 0) continue;
     sum += range;
     ++valid;
   }
   if (valid == 0) return std::nullopt;
-  const double masked = 1.0 - static_cast<double>(valid) / beams_;
+  const double masked = 1.0 - static_cast<double>(valid) / beams();
   return ScanEnergy{1.0 - sum / (valid * kNoReturn), ser_delta_ + 0.5 * masked};
 }
 
 EnergyGrid::Region EnergyGrid::similarTo(const ScanEnergy& energy) const {
-  const double most = beams_ * kNoReturn;
+  const double most = beams() * kNoReturn;
   // |E - e| < delta, where E = 1 - sum / most
   const double low = (1.0 - energy.value - energy.delta) * most;
   const double high = (1.0 - energy.value + energy.delta) * most;
@@ -151,7 +145,7 @@ EnergyGrid::Region EnergyGrid::similarTo(const ScanEnergy& energy) const {
 
 double EnergyGrid::energy(std::size_t i) const {
   const auto after = std::upper_bound(sorted_.starts.begin(), sorted_.starts.end(), i);
-  return 1.0 - static_cast<double>(after - sorted_.starts.begin() - 1) / (beams_ * kNoReturn);
+  return 1.0 - static_cast<double>(after - sorted_.starts.begin() - 1) / (beams() * kNoReturn);
 }
 
 Pose2 EnergyGrid::pose(std::size_t i) const {

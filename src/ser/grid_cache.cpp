@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".ser_grid";
 constexpr std::size_t kFilesKept = 8;
-constexpr double kEdition = 2.0;  // of what is in the files: to be raised when ranges change
+constexpr double kEdition = 3.0;  // of what is in the files: to be raised when ranges change
 
 std::uint64_t hashOf(const std::vector<double>& values, std::uint64_t seed) {
   return XXH64(values.data(), values.size() * sizeof(double), seed);
@@ -119,11 +119,11 @@ std::shared_ptr<const EnergyGrid> GridCache::grid(std::shared_ptr<const RangeTab
                                                   const ScanGeometry& geometry,
                                                   const EnergyGridOptions& options,
                                                   const StopToken& stop) {
-  const std::uint64_t key = folder_.empty()
-                                ? 0
-                                : hashOf({double(geometry.count), double(options.energy_beams),
-                                          double(options.energy_orientations)},
-                                         keyOf(ranges->maxRange(), ranges->spacing()));
+  const std::uint64_t key =
+      folder_.empty() ? 0
+                      : hashOf({double(geometry.count), geometry.spacing,
+                                double(options.energy_beams), double(options.energy_orientations)},
+                               keyOf(ranges->maxRange(), ranges->spacing()));
   const std::string file = fileOf("energies", key);
   if (isThere(file)) {
     try {

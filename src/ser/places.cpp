@@ -18,7 +18,8 @@ bool suits(const ScanGeometry& grid, const ScanGeometry& scan) {
   const double turned = grid.headingOf(0) - scan.headingOf(0);
   return (grid.position - scan.position).norm() < 0.02 && grid.max_range == scan.max_range &&
          std::abs(wrapAngle(turned)) < 0.5 * kDirectionStep &&
-         std::abs(grid.count - scan.count) <= 2;
+         std::abs(grid.count - scan.count) <= 2 &&
+         std::abs(grid.spacing - scan.spacing) < 0.05 * kDirectionStep;
 }
 
 /// Stamps alone do not tell: a log may have the same for all.

@@ -102,6 +102,53 @@ TEST(ToScan, TakesBeamsOutsideTheLasersViewForInvalid) {
   EXPECT_EQ(scan.invalid, 1);
 }
 
+/// Beam i reads i + 1 m.
+Scan thinnedScan(int count, double first, double step) {
+  constexpr double kDegree = kPi / 180.0;
+  LaserScan scan =
+      message(std::vector<float>(static_cast<std::size_t>(count)), first * kDegree, step * kDegree);
+  scan.range_max = 1000.0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    scan.ranges[i] = static_cast<float>(i + 1);
+  }
+  return toScan(scan, LaserMount{}, beams(2));
+}
+
+TEST(ToScan, KeepsAViewOfTwoDegreesWhateverIsThinned) {
+  for (const auto& [count, step] : {std::pair{361, 0.5}, {181, 1.0}, {91, 2.0}, {271, 2.0 / 3.0}}) {
+    const Scan scan = thinnedScan(count, -90, step);
+    ASSERT_EQ(scan.hits(), 2);
+    ASSERT_EQ(scan.view.range.size(), 91);
+    EXPECT_EQ(scan.view.spacing, ScanView::kFinest);
+    for (int k = 0; k < 91; ++k) {
+      EXPECT_EQ(std::lround(scan.view.range[k]), std::lround(k * 2.0 / step) + 1);
+      EXPECT_NEAR(scan.view.bearing[k], (2.0 * k - 90.0) * kPi / 180.0, 1e-6);
+    }
+  }
+}
+
+TEST(ToScan, KeepsAllBeamsOfACoarseLaserInItsView) {
+  for (const double sense : {1.0, -1.0}) {
+    const Scan scan = thinnedScan(7, -90 * sense, 30 * sense);
+    ASSERT_EQ(scan.view.range.size(), 7);
+    EXPECT_NEAR(scan.view.spacing, kPi / 6, 1e-12);
+    for (int k = 0; k < 7; ++k) {  // from the rightmost
+      EXPECT_EQ(std::lround(scan.view.range[k]), sense > 0 ? k + 1 : 7 - k);
+      EXPECT_NEAR(scan.view.bearing[k], (30.0 * k - 90.0) * kPi / 180.0, 1e-6);
+    }
+  }
+}
+
+TEST(ToScan, TellsKindsOfBeamApartInTheViewToo) {
+  const Scan scan = toScan(message({kNan, 1.0F, kInf, 0.05F, 99.0F}), LaserMount{}, beams(2));
+  ASSERT_EQ(scan.view.range.size(), 5);
+  EXPECT_TRUE(std::isnan(scan.view.range[0]));
+  EXPECT_EQ(scan.view.range[1], 1.0F);
+  EXPECT_EQ(scan.view.range[2], kInf);
+  EXPECT_TRUE(std::isnan(scan.view.range[3]));
+  EXPECT_EQ(scan.view.range[4], kInf);
+}
+
 /// Where a scan sees from and how far, in degrees.
 struct View {
   double start, width;
@@ -110,7 +157,7 @@ View viewOf(int beams, double first, double step, const LaserMount& mount = {}) 
   constexpr double kDegree = kPi / 180.0;
   const std::vector<float> ranges(static_cast<std::size_t>(beams), 1.0F);
   const Scan scan = toScan(message(ranges, first * kDegree, step * kDegree), mount, ScanOptions{});
-  return {scan.view_start / kDegree, scan.view_width / kDegree};
+  return {scan.view.start / kDegree, scan.view.width / kDegree};
 }
 
 void expectView(const View& view, double start, double width) {
@@ -146,10 +193,10 @@ TEST(ToScan, ViewsTheSameWhateverTheBeamsRead) {
   const Scan none = toScan(message({kNan, kInf, 0.0F}), LaserMount{}, beams(10));
   const Scan thinned = toScan(message({1.0F, 1.0F, 1.0F}), LaserMount{}, beams(2));
   for (const Scan& scan : {none, thinned}) {
-    EXPECT_EQ(scan.view_start, all.view_start);
-    EXPECT_EQ(scan.view_width, all.view_width);
+    EXPECT_EQ(scan.view.start, all.view.start);
+    EXPECT_EQ(scan.view.width, all.view.width);
   }
-  EXPECT_NEAR(all.view_width, 0.2, 1e-12);
+  EXPECT_NEAR(all.view.width, 0.2, 1e-12);
 }
 
 TEST(ToScan, ThinsEvenlyFromTheFirstBeamToTheLast) {

@@ -105,6 +105,20 @@ TEST(EnergyGrid, LeavesInvalidBeamsOutAndTrustsTheRestLess) {
   EXPECT_NEAR(energy->delta, 0.02 + 0.25, 1e-9);
 }
 
+TEST(EnergyGrid, UsesTheBeamsThatACoarseLaserHas) {
+  const MapPtr map = smallRoom();
+  for (const int beams : {2, 5, 10, 19, 31}) {  // whole directions apart, but for the last
+    LaserScan message = ToyLaser{beams, -kPi / 2, kPi / 2, 20.0}.read(map, {1.5, 1.0, 0.3});
+    const auto grid = gridOf(map, geometryOf(toScan(message), 10.0));
+    const auto energy = grid->energyOf(toScan(message));
+    ASSERT_TRUE(energy);
+    EXPECT_EQ(energy->delta, 0.02) << beams;
+    message.ranges[1] = std::nanf("");
+    const double masked = 1.0 / std::min(beams, 30);
+    EXPECT_NEAR(grid->energyOf(toScan(message))->delta, 0.02 + 0.5 * masked, 1e-9) << beams;
+  }
+}
+
 TEST(EnergyGrid, KnowsNoEnergyOfAScanThatTellsNothing) {
   const MapPtr map = smallRoom();
   const auto grid = gridOf(map);
@@ -150,6 +164,8 @@ TEST(EnergyGrid, NeedsOneHeadingForALaserThatSeesAllRound) {
   const auto grid = gridOf(map, ring);
   EXPECT_EQ(grid->orientations(), 1);
   EXPECT_EQ(grid->size(), map->countFree());
+  ring.spacing = kPi / 18;  // 36 beams: between them it sees something else
+  EXPECT_EQ(gridOf(map, ring)->orientations(), 18);
 }
 
 TEST(EnergyGrid, TakesOtherNumbersOfBeamsAndHeadings) {

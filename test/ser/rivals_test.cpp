@@ -132,8 +132,8 @@ TEST(Rivals, AreLeftOpenByACoveredLaserAndSettledWhenItSeesTheSameAgain) {
   }
   for (int i = 0; i < 5; ++i) {
     Observations covered = hitsAt(cover, 12.0);
-    covered.scan.view_start = -kPi / 2;
-    covered.scan.view_width = kPi;
+    covered.scan.view.start = -kPi / 2;
+    covered.scan.view.width = kPi;
     judged.rivals.observe({}, truth, covered);
     EXPECT_FALSE(judged.rivals.isSettled()) << i;
   }

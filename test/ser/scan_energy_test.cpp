@@ -129,6 +129,49 @@ TEST(Directions, GoAllRound) {
   EXPECT_EQ(toDirections(scan, geometryOf(scan, 10.0)).valid, kDirections);
 }
 
+TEST(ScanGeometry, HasOneBeamInEachDirectionOrThoseOfACoarserLaser) {
+  struct Case {
+    int beams;
+    double first, step;
+    int expected_beams, expected_last_direction;
+  };
+  for (const Case& c : {Case{181, -90, 1, 91, 90},
+                        {60, -90, 180.0 / 59, 60, 90},
+                        {7, -90, 30, 7, 90},
+                        {2, -90, 180, 2, 90},
+                        {1, 0, 0, 1, 0},
+                        {360, -180, 1, 180, 179},
+                        {36, -180, 10, 36, 175},
+                        {37, -180, 10, 36, 175},  // the last beam is the first one again
+                        {10, 135, -30, 10, 135}}) {
+    const ScanGeometry geometry = geometryOf(scanOf(message(c.beams, c.first, c.step)), 10.0);
+    EXPECT_EQ(geometry.beams(), c.expected_beams) << c.beams;
+    EXPECT_EQ(geometry.directionOf(geometry.beams() - 1), c.expected_last_direction) << c.beams;
+  }
+}
+
+TEST(RangeInADirection, IsThatOfTheNearestBeamHoweverFarApartTheyAre) {
+  const Scan scan = scanOf(message(7, -90, 30));
+  const ScanGeometry geometry = geometryOf(scan, 100.0);
+  for (int direction = 0; direction <= 90; ++direction) {
+    if (direction % 15 == 7 || direction % 15 == 8) continue;  // half way
+    const double metres = std::round(direction / 15.0) + 1.0;
+    EXPECT_EQ(rangeIn(direction, scan, geometry), std::lround(metres / 100.0 * kNoReturn));
+  }
+  EXPECT_EQ(rangeIn(135, scan, geometry), -1) << "behind the robot";
+}
+
+TEST(RangeInADirection, IsUnknownWhereTheNearestBeamIsInvalid) {
+  LaserScan taken = message(181, -90, 1);
+  taken.ranges[60] = kNan;
+  taken.ranges[120] = kInf;
+  const Scan scan = scanOf(taken);
+  const ScanGeometry geometry = geometryOf(scan, 10.0);
+  EXPECT_EQ(rangeIn(30, scan, geometry), -1);
+  EXPECT_EQ(rangeIn(60, scan, geometry), kNoReturn);
+  EXPECT_EQ(rangeIn(0, scan, geometry), std::lround(25.5));
+}
+
 TEST(Directions, OfAnyScanAreInRange) {
   Rng rng(1);
   for (int n = 0; n < 3000; ++n) {
@@ -154,6 +197,13 @@ TEST(Directions, OfAnyScanAreInRange) {
       valid += range >= 0 ? 1 : 0;
     }
     ASSERT_EQ(beams.valid, valid);
+    ASSERT_GE(geometry.beams(), 1);
+    ASSERT_LE(geometry.beams(), kDirections);
+    for (int direction = 0; direction < kDirections; ++direction) {
+      const int range = rangeIn(direction, taken, geometry);
+      ASSERT_GE(range, -1);
+      ASSERT_LE(range, kNoReturn);
+    }
   }
 }
 

@@ -104,7 +104,7 @@ TEST_F(SerSamplerTest, DrawsFromFreeSpaceWhereItKnowsNothing) {
 
 TEST_F(SerSamplerTest, SaysThatNoPlaceHasSuchAnEnergy) {
   Observations wide = seenFrom(kTruth);  // no wall of this world is that far all round
-  wide.scan.range.setConstant(9.9F);
+  wide.scan.view.range.setConstant(9.9F);
   EXPECT_FALSE(sampler_.condition(wide));
   EXPECT_TRUE(sampler_.isEmpty());
   EXPECT_GT(widestX(500), 8.5);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "adaptive_localization/options.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
@@ -49,9 +50,9 @@ struct ScanEnergy {
 ///
 ///     E = (1 / I) sum_i (1 - z_i / z_max),     z_i at most z_max, which a no-return counts as
 ///
-/// over I beams. Grid and robot use the same beams, cut-off and rule for no-returns; invalid beams
-/// are left out of the robot's mean. Poses of similar energy are two look-ups away: the Similar
-/// Energy Region (SER) is a run of the sorted list.
+/// over I beams. Grid and robot use the same beams, cut-off and rule for no-returns, whatever
+/// laser_max_beams says; invalid beams are left out of the robot's mean. Poses of similar energy
+/// are two look-ups away: the Similar Energy Region (SER) is a run of the sorted list.
 class EnergyGrid {
  public:
   /// Throws std::invalid_argument if the map has no free cell.
@@ -110,12 +111,12 @@ class EnergyGrid {
              const EnergyGridOptions& options, Sorted sorted);
   Sorted sort(const StopToken& stop) const;
   int firstDirection(int orientation) const;
+  int beams() const { return static_cast<int>(directions_.size()); }
 
   std::shared_ptr<const RangeTable> ranges_;
   ScanGeometry geometry_;
   int orientations_;
-  int beams_;
-  int beam_step_;  // directions from one beam of the energy to the next
+  std::vector<int> directions_;  // of the energy's beams, from beam 0 on
   double ser_delta_;
   Sorted sorted_;
 };
