@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "array_file.hpp"
 
-#include <sys/mman.h>
+#include <signal.h>
 #include <unistd.h>
 #include <xxhash.h>
 
-#include <boost/interprocess/file_mapping.hpp>
-#include <boost/interprocess/mapped_region.hpp>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,10 +17,11 @@ namespace adaptive_localization {
 namespace {
 
 namespace fs = std::filesystem;
-namespace ipc = boost::interprocess;
 
 constexpr std::size_t kAlignment = 64;  // of each array in the file
 constexpr std::size_t kMostArrays = 8;
+constexpr const char* kPart = ".part";
+constexpr std::chrono::hours kPatience{1};  // with those who write a file
 
 struct Header {
   char name[8];
@@ -45,15 +47,16 @@ std::uint64_t checksumOf(const Header& header, const std::vector<ArrayFile::Byte
   return checksum;
 }
 
-/// Pages of the file are read ahead, all at once.
-std::shared_ptr<const ipc::mapped_region> map(const std::string& file) {
-  const ipc::file_mapping mapping(file.c_str(), ipc::read_only);
-#if defined(MAP_POPULATE)
-  return std::make_shared<const ipc::mapped_region>(mapping, ipc::read_only, 0, 0, nullptr,
-                                                    MAP_SHARED | MAP_POPULATE);
-#else
-  return std::make_shared<const ipc::mapped_region>(mapping, ipc::read_only);
-#endif
+Header headerOf(const char* file) {
+  Header header;
+  std::memcpy(&header, file, sizeof(header));
+  return header;
+}
+
+/// Beside a file; of this process, and of one call alone.
+std::string partOf(const std::string& file) {
+  static std::atomic<int> count{0};
+  return file + "." + std::to_string(getpid()) + "." + std::to_string(count++) + kPart;
 }
 
 [[noreturn]] void reject(const std::string& file, const std::string& what) {
@@ -62,35 +65,39 @@ std::shared_ptr<const ipc::mapped_region> map(const std::string& file) {
 
 }  // namespace
 
-ArrayFile::ArrayFile(const std::string& file, std::uint64_t key) : file_(file) {
+ArrayFile::ArrayFile(const std::string& file, std::uint64_t key, std::size_t most_bytes)
+    : file_(file) {
   std::error_code error;
-  if (fs::file_size(file, error) < sizeof(Header) || error) reject(file, "is cut short");
-  std::shared_ptr<const ipc::mapped_region> region;
-  try {
-    region = map(file);
-  } catch (const ipc::interprocess_exception& exception) {
-    reject(file, std::string("cannot be read: ") + exception.what());
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error || size < sizeof(Header)) reject(file, "is cut short");
+  if (size > aligned(sizeof(Header)) + most_bytes + kMostArrays * kAlignment) {
+    reject(file, "is longer than what it should hold");
   }
-  const char* data = static_cast<const char*>(region->get_address());
-  Header header;
-  std::memcpy(&header, data, sizeof(header));
-  if (std::memcmp(header.name, kName, sizeof(kName)) != 0) reject(file, "is not an energy grid");
-  if (header.byte_order != kByteOrder) reject(file, "was written on another kind of machine");
-  if (header.version != kVersion) {
-    reject(file, "has format version " + std::to_string(header.version) + ", expected " +
-                     std::to_string(kVersion));
-  }
+  const std::shared_ptr<char[]> memory(new char[size]);
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(memory.get(), static_cast<std::streamsize>(size));
+  if (!stream) reject(file, "cannot be read");
+  memory_ = memory;
+  findArrays(static_cast<std::size_t>(size));
+  const Header header = headerOf(memory_.get());
   if (header.key != key) reject(file, "was made from something else");
-  std::size_t end = aligned(sizeof(Header));
-  for (const std::uint64_t size : header.sizes) {
-    if (size > region->get_size() || end + size > region->get_size()) {
-      reject(file, "is cut short");
-    }
-    if (size > 0) arrays_.push_back({data + end, static_cast<std::size_t>(size)});
-    end += aligned(static_cast<std::size_t>(size));
-  }
   if (checksumOf(header, arrays_) != header.checksum) reject(file, "is damaged (wrong checksum)");
-  memory_ = std::move(region);
+}
+
+void ArrayFile::findArrays(std::size_t size) {
+  const Header header = headerOf(memory_.get());
+  if (std::memcmp(header.name, kName, sizeof(kName)) != 0) reject(file_, "is not an energy grid");
+  if (header.byte_order != kByteOrder) reject(file_, "was written on another kind of machine");
+  if (header.version != kVersion) {
+    reject(file_, "has format version " + std::to_string(header.version) + ", expected " +
+                      std::to_string(kVersion));
+  }
+  std::size_t end = aligned(sizeof(Header));
+  for (const std::uint64_t array : header.sizes) {
+    if (end > size || array > size - end) reject(file_, "is cut short");
+    if (array > 0) arrays_.push_back({memory_.get() + end, static_cast<std::size_t>(array)});
+    end += aligned(static_cast<std::size_t>(array));
+  }
 }
 
 const ArrayFile::Bytes& ArrayFile::at(std::size_t i, std::size_t size_of_item) const {
@@ -110,7 +117,7 @@ void ArrayFile::write(const std::string& file, std::uint64_t key,
   for (std::size_t i = 0; i < arrays.size(); ++i) header.sizes[i] = arrays[i].size;
   header.checksum = checksumOf(header, arrays);
 
-  const std::string part = file + "." + std::to_string(getpid()) + ".part";
+  const std::string part = partOf(file);
   errno = 0;
   std::ofstream stream(part, std::ios::binary | std::ios::trunc);
   const auto put = [&](const char* data, std::size_t size) {
@@ -127,6 +134,19 @@ void ArrayFile::write(const std::string& file, std::uint64_t key,
   const std::string reason = error ? error.message() : std::strerror(errno != 0 ? errno : EIO);
   fs::remove(part, error);
   reject(file, "cannot be written: " + reason);
+}
+
+bool ArrayFile::isPart(const std::string& file) {
+  return fs::path(file).extension() == kPart;
+}
+
+bool ArrayFile::isAbandoned(const std::string& part) {
+  const std::string process = fs::path(part).stem().stem().extension();  // .123 of x.123.0.part
+  const long id = process.empty() ? 0 : std::atol(process.c_str() + 1);
+  const bool is_gone = id <= 0 || (kill(static_cast<pid_t>(id), 0) != 0 && errno == ESRCH);
+  std::error_code error;
+  const auto begun = fs::last_write_time(part, error);
+  return is_gone || (!error && begun < fs::file_time_type::clock::now() - kPatience);
 }
 
 }  // namespace adaptive_localization

@@ -15,9 +15,10 @@ namespace adaptive_localization {
 /// bytes of the machine that wrote it, with a checksum (XXH64) of all.
 class ArrayFile {
  public:
-  /// Maps a file to memory. Throws std::runtime_error naming the file and what is wrong: damaged,
-  /// cut short, another program's, another version's, with another key.
-  ArrayFile(const std::string& file, std::uint64_t key);
+  /// Reads a file, not mapping it: somebody else may cut it short at any time. Throws
+  /// std::runtime_error naming the file and what is wrong: damaged, cut short, longer than
+  /// `most_bytes` of arrays, another program's, another version's, with another key.
+  ArrayFile(const std::string& file, std::uint64_t key, std::size_t most_bytes);
 
   /// Array i. Throws std::runtime_error if there is none or it is not one of Ts.
   template <class T>
@@ -36,15 +37,23 @@ class ArrayFile {
     return {reinterpret_cast<const char*>(array.data()), array.bytes()};
   }
 
-  /// Writes beside the file and renames, so that there is a whole file or none. Throws
-  /// std::runtime_error naming the file and what is wrong.
+  /// Writes beside the file and renames, so that there is a whole file or none, and any number of
+  /// programs and threads may write it at once. Throws std::runtime_error naming the file and what
+  /// is wrong.
   static void write(const std::string& file, std::uint64_t key, const std::vector<Bytes>& arrays);
+
+  /// Whether a file is one that write() has begun to write, whoever did.
+  static bool isPart(const std::string& file);
+
+  /// Whether nobody writes such a file any more: its process is gone, or it was begun an hour ago.
+  static bool isAbandoned(const std::string& part);
 
  private:
   const Bytes& at(std::size_t i, std::size_t size_of_item) const;
+  void findArrays(std::size_t size);
 
   std::string file_;
-  std::shared_ptr<const void> memory_;
+  std::shared_ptr<const char[]> memory_;
   std::vector<Bytes> arrays_;
 };
 

@@ -93,7 +93,7 @@ int EnergyGrid::firstDirection(int orientation) const {
 
 /// Counting sort: sums are small integers.
 EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
-  const std::size_t poses = ranges_->size() * static_cast<std::size_t>(orientations_);
+  const std::size_t poses = countPoses();
   std::vector<std::uint16_t> sums(poses);
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
     stop.check();
@@ -106,7 +106,7 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
       }
     }
   });
-  std::vector<std::uint32_t> starts(directions_.size() * kNoReturn + 2, 0);
+  std::vector<std::uint32_t> starts(countSums() + 1, 0);
   for (const std::uint16_t sum : sums) ++starts[sum + 1U];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   stop.check();
@@ -115,6 +115,14 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
   for (std::size_t i = 0; i < poses; ++i) sorted[next[sums[i]]++] = static_cast<std::uint32_t>(i);
   return {ConstArray<std::uint32_t>(std::move(sorted)),
           ConstArray<std::uint32_t>(std::move(starts))};
+}
+
+/// Whether sorted_ is what sort() could have made of other ranges.
+bool EnergyGrid::isSorted() const {
+  const auto& [poses, starts] = sorted_;
+  return poses.size() == countPoses() && starts.size() == countSums() + 1 && starts[0] == 0 &&
+         starts[countSums()] == poses.size() && std::is_sorted(starts.begin(), starts.end()) &&
+         *std::max_element(poses.begin(), poses.end()) < poses.size();
 }
 
 std::optional<ScanEnergy> EnergyGrid::energyOf(const Scan& scan) const {

@@ -28,11 +28,33 @@ void tidy(const std::string& folder) {
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const bool is_ours = entry.path().filename().string().find(kExtension) != std::string::npos;
-    if (is_ours) files.emplace_back(entry.last_write_time(error), entry.path());
+    const fs::path& file = entry.path();
+    if (file.filename().string().find(kExtension) == std::string::npos) continue;
+    if (!ArrayFile::isPart(file)) {
+      files.emplace_back(entry.last_write_time(error), file);
+    } else if (ArrayFile::isAbandoned(file)) {
+      fs::remove(file, error);
+    }
   }
   std::sort(files.rbegin(), files.rend());
   for (std::size_t i = kFilesKept; i < files.size(); ++i) fs::remove(files[i].second, error);
+}
+
+/// Whether these are the free cells of every spacing-th column and row of the map.
+bool areCellsOf(const OccupancyGrid& map, int spacing, const ConstArray<std::uint32_t>& cells) {
+  std::size_t known = 0;
+  for (int y = 0; y < map.lattice().height(); y += spacing) {
+    for (int x = 0; x < map.lattice().width(); x += spacing) {
+      if (!map.isFree({x, y})) continue;
+      if (known == cells.size() || cells[known] != map.lattice().index({x, y})) return false;
+      ++known;
+    }
+  }
+  return known > 0 && known == cells.size();
+}
+
+[[noreturn]] void reject(const std::string& file) {
+  throw std::runtime_error(file + ": does not hold what it should");
 }
 
 }  // namespace
@@ -79,18 +101,35 @@ void GridCache::write(const std::string& file, std::uint64_t key,
   }
 }
 
-std::shared_ptr<const RangeTable> GridCache::read(const std::string& file, std::uint64_t key,
-                                                  double max_range) const {
-  const ArrayFile arrays(file, key);
+std::shared_ptr<const RangeTable> GridCache::readRanges(const std::string& file, std::uint64_t key,
+                                                        double max_range, int spacing) const {
+  constexpr std::size_t kBytesPerCell = sizeof(std::uint32_t) + RangeTable::kStride;
+  const ArrayFile arrays(file, key, sizeof(std::int32_t) + map_.countFree() * kBytesPerCell);
+  const auto made_with = arrays.array<std::int32_t>(0);
   std::shared_ptr<RangeTable> table(new RangeTable(map_.lattice()));
   table->max_range_ = max_range;
-  table->spacing_ = arrays.array<std::int32_t>(0)[0];
+  table->spacing_ = made_with[0];
   table->cells_ = arrays.array<std::uint32_t>(1);
   table->ranges_ = arrays.array<std::uint8_t>(2);
-  const RangeBlocks::Arrays blocks{arrays.array<std::uint32_t>(3), arrays.array<std::uint32_t>(4),
-                                   arrays.array<std::uint8_t>(5), arrays.array<std::uint8_t>(6)};
-  table->blocks_ = std::make_shared<const RangeBlocks>(blocks);
+  const bool is_right = made_with.size() == 1 && made_with[0] >= 1 && made_with[0] <= spacing &&
+                        areCellsOf(map_, made_with[0], table->cells_) &&
+                        table->ranges_.size() == table->size() * RangeTable::kStride;
+  if (!is_right) reject(file);
+  table->blocks_ = std::make_shared<const RangeBlocks>(*table);
   return table;
+}
+
+std::shared_ptr<const EnergyGrid> GridCache::readGrid(const std::string& file, std::uint64_t key,
+                                                      std::shared_ptr<const RangeTable> ranges,
+                                                      const ScanGeometry& geometry,
+                                                      const EnergyGridOptions& options) const {
+  const std::shared_ptr<EnergyGrid> grid(
+      new EnergyGrid(std::move(ranges), geometry, options, EnergyGrid::Sorted{}));
+  const ArrayFile arrays(file, key,
+                         (grid->countPoses() + grid->countSums() + 1) * sizeof(std::uint32_t));
+  grid->sorted_ = {arrays.array<std::uint32_t>(0), arrays.array<std::uint32_t>(1)};
+  if (!grid->isSorted()) reject(file);
+  return grid;
 }
 
 std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacing,
@@ -99,19 +138,16 @@ std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacin
   const std::string file = fileOf("ranges", key);
   if (isThere(file)) {
     try {
-      return read(file, key, max_range);
+      return readRanges(file, key, max_range, spacing);
     } catch (const std::runtime_error& error) {
       warnings_.push_back(std::string(error.what()) + "; made anew");
     }
   }
   auto table = std::make_shared<const RangeTable>(map_, max_range, spacing, stop);
   const ConstArray<std::int32_t> made_with(std::vector<std::int32_t>{table->spacing()});
-  const RangeBlocks::Arrays& blocks = table->blocks().arrays();
   write(file, key,
         {ArrayFile::bytesOf(made_with), ArrayFile::bytesOf(table->cells_),
-         ArrayFile::bytesOf(table->ranges_), ArrayFile::bytesOf(blocks.cells),
-         ArrayFile::bytesOf(blocks.starts), ArrayFile::bytesOf(blocks.low),
-         ArrayFile::bytesOf(blocks.high)});
+         ArrayFile::bytesOf(table->ranges_)});
   return table;
 }
 
@@ -127,10 +163,7 @@ std::shared_ptr<const EnergyGrid> GridCache::grid(std::shared_ptr<const RangeTab
   const std::string file = fileOf("energies", key);
   if (isThere(file)) {
     try {
-      const ArrayFile arrays(file, key);
-      EnergyGrid::Sorted sorted{arrays.array<std::uint32_t>(0), arrays.array<std::uint32_t>(1)};
-      return std::shared_ptr<const EnergyGrid>(
-          new EnergyGrid(std::move(ranges), geometry, options, std::move(sorted)));
+      return readGrid(file, key, ranges, geometry, options);
     } catch (const std::runtime_error& error) {
       warnings_.push_back(std::string(error.what()) + "; made anew");
     }

@@ -36,8 +36,12 @@ class GridCache {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::shared_ptr<const RangeTable> read(const std::string& file, std::uint64_t key,
-                                         double max_range) const;
+  std::shared_ptr<const RangeTable> readRanges(const std::string& file, std::uint64_t key,
+                                               double max_range, int spacing) const;
+  std::shared_ptr<const EnergyGrid> readGrid(const std::string& file, std::uint64_t key,
+                                             std::shared_ptr<const RangeTable> ranges,
+                                             const ScanGeometry& geometry,
+                                             const EnergyGridOptions& options) const;
   std::uint64_t keyOf(double max_range, int spacing) const;
   std::string fileOf(const std::string& kind, std::uint64_t key) const;
   bool isThere(const std::string& file) const;

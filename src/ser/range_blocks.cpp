@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 #include "adaptive_localization/parallel.hpp"
 
@@ -19,24 +18,21 @@ RangeBlocks::RangeBlocks(const RangeTable& table) {
     block_of[i] = static_cast<std::uint32_t>(cell.y / side) * blocks_per_row +
                   static_cast<std::uint32_t>(cell.x / side);
   }
-  std::vector<std::uint32_t> cells(table.size());
-  std::iota(cells.begin(), cells.end(), 0U);
-  std::stable_sort(cells.begin(), cells.end(),
+  cells_.resize(table.size());
+  std::iota(cells_.begin(), cells_.end(), 0U);
+  std::stable_sort(cells_.begin(), cells_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return block_of[a] < block_of[b]; });
-  std::vector<std::uint32_t> starts;
-  for (std::uint32_t k = 0; k < cells.size(); ++k) {
-    if (k == 0 || block_of[cells[k]] != block_of[cells[k - 1]]) starts.push_back(k);
+  for (std::uint32_t k = 0; k < cells_.size(); ++k) {
+    if (k == 0 || block_of[cells_[k]] != block_of[cells_[k - 1]]) starts_.push_back(k);
   }
-  starts.push_back(static_cast<std::uint32_t>(cells.size()));
-  arrays_.cells = ConstArray<std::uint32_t>(std::move(cells));
-  arrays_.starts = ConstArray<std::uint32_t>(std::move(starts));
+  starts_.push_back(static_cast<std::uint32_t>(cells_.size()));
 
-  std::vector<std::uint8_t> lows(size() * RangeTable::kStride, kNoReturn);
-  std::vector<std::uint8_t> highs(size() * RangeTable::kStride, 0);
+  low_.assign(size() * RangeTable::kStride, kNoReturn);
+  high_.assign(size() * RangeTable::kStride, 0);
   parallelFor(size(), 256, [&](const Chunk& chunk) {
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      std::uint8_t* low = lows.data() + b * RangeTable::kStride;
-      std::uint8_t* high = highs.data() + b * RangeTable::kStride;
+      std::uint8_t* low = low_.data() + b * RangeTable::kStride;
+      std::uint8_t* high = high_.data() + b * RangeTable::kStride;
       for (const std::uint32_t* cell = begin(b); cell != end(b); ++cell) {
         const std::uint8_t* ranges = table.ranges(*cell);
         for (std::size_t d = 0; d < RangeTable::kStride; ++d) {
@@ -46,13 +42,10 @@ RangeBlocks::RangeBlocks(const RangeTable& table) {
       }
     }
   });
-  arrays_.low = ConstArray<std::uint8_t>(std::move(lows));
-  arrays_.high = ConstArray<std::uint8_t>(std::move(highs));
 }
 
 std::size_t RangeBlocks::bytes() const {
-  return arrays_.low.bytes() + arrays_.high.bytes() + arrays_.cells.bytes() +
-         arrays_.starts.bytes();
+  return low_.size() + high_.size() + (cells_.size() + starts_.size()) * sizeof(std::uint32_t);
 }
 
 }  // namespace adaptive_localization

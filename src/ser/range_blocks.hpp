@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <vector>
 
 #include "adaptive_localization/ser/range_table.hpp"
 
@@ -16,35 +17,24 @@ class RangeBlocks {
 
   explicit RangeBlocks(const RangeTable& table);
 
-  /// What was made before.
-  struct Arrays {
-    ConstArray<std::uint32_t> cells;   // block by block
-    ConstArray<std::uint32_t> starts;  // of each block in cells, and the end
-    ConstArray<std::uint8_t> low, high;
-  };
-  explicit RangeBlocks(Arrays arrays) : arrays_(std::move(arrays)) {}
-  const Arrays& arrays() const { return arrays_; }
-
-  std::size_t size() const { return arrays_.starts.size() - 1; }
-  const std::uint8_t* low(std::size_t block) const { return at(arrays_.low, block); }
-  const std::uint8_t* high(std::size_t block) const { return at(arrays_.high, block); }
+  std::size_t size() const { return starts_.size() - 1; }
+  const std::uint8_t* low(std::size_t block) const { return at(low_, block); }
+  const std::uint8_t* high(std::size_t block) const { return at(high_, block); }
 
   /// The block's cells: numbers of the table.
-  const std::uint32_t* begin(std::size_t block) const {
-    return arrays_.cells.data() + arrays_.starts[block];
-  }
-  const std::uint32_t* end(std::size_t block) const {
-    return arrays_.cells.data() + arrays_.starts[block + 1];
-  }
+  const std::uint32_t* begin(std::size_t block) const { return cells_.data() + starts_[block]; }
+  const std::uint32_t* end(std::size_t block) const { return cells_.data() + starts_[block + 1]; }
 
   std::size_t bytes() const;
 
  private:
-  static const std::uint8_t* at(const ConstArray<std::uint8_t>& ranges, std::size_t block) {
+  static const std::uint8_t* at(const std::vector<std::uint8_t>& ranges, std::size_t block) {
     return ranges.data() + block * RangeTable::kStride;
   }
 
-  Arrays arrays_;
+  std::vector<std::uint32_t> cells_;   // block by block
+  std::vector<std::uint32_t> starts_;  // of each block in cells_, and the end
+  std::vector<std::uint8_t> low_, high_;
 };
 
 }  // namespace adaptive_localization

@@ -8,8 +8,8 @@
 
 namespace adaptive_localization {
 
-/// Numbers that do not change any more, in memory of their own or in a file mapped to memory.
-/// Copies share them.
+/// Numbers that do not change any more, in memory of their own or in a part of somebody else's, as
+/// a file's. Copies share them.
 template <class T>
 class ConstArray {
  public:

@@ -110,6 +110,11 @@ class EnergyGrid {
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
              const EnergyGridOptions& options, Sorted sorted);
   Sorted sort(const StopToken& stop) const;
+  bool isSorted() const;
+  std::size_t countPoses() const {
+    return ranges_->size() * static_cast<std::size_t>(orientations_);
+  }
+  std::size_t countSums() const { return directions_.size() * kNoReturn + 1; }
   int firstDirection(int orientation) const;
   int beams() const { return static_cast<int>(directions_.size()); }
 
