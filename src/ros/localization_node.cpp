@@ -69,10 +69,7 @@ void LocalizationNode::onMap(const BuiltMap& map) {
 }
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount) {
-  if (!localizer_) {
-    ROS_WARN_DELAYED_THROTTLE(5.0, "Scans wait for the map");
-    return false;
-  }
+  if (!localizer_) return false;
   const ros::Time& stamp = message.header.stamp;
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
@@ -152,10 +149,13 @@ NodeHealth LocalizationNode::health() const {
   health.scans = scans_.counts();
   const bool wants_pose =
       localizer_ ? answer_ && answer_->status == Status::kUninitialised : !prior_.has_value();
-  for (const auto& what : {scans_.missing(), localizer_ ? "" : "a map on " + maps_.name(),
-                           std::string(wants_pose ? "an initial pose" : "")}) {
+  const auto lack = [&](const std::string& what) {
     if (!what.empty()) health.missing += (health.missing.empty() ? "" : "; ") + what;
-  }
+  };
+  lack(scans_.missing());
+  if (!localizer_) lack("a map on " + maps_.name());
+  health.is_as_told = wants_pose && health.missing.empty();
+  if (wants_pose) lack("an initial pose");
   if (answer_ && answer_->status != Status::kUninitialised) {
     health.covariance = answer_->estimate.covariance;
   }

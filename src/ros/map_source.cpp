@@ -30,11 +30,8 @@ void MapSource::onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map) {
 
 void MapSource::ask() {
   nav_msgs::GetMap request;
-  if (service_.exists() && service_.call(request)) {
-    if (callback_(request.response.map)) timer_.stop();
-  } else {
-    ROS_WARN_THROTTLE(10.0, "There is no map from %s, trying again", name_.c_str());
-  }
+  if (!service_.exists() || !service_.call(request)) return;  // the node says what it waits for
+  if (callback_(request.response.map)) timer_.stop();
 }
 
 }  // namespace adaptive_localization

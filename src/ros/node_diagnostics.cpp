@@ -65,13 +65,15 @@ void NodeDiagnostics::publish() {
   message.status.push_back(scanStatus(health));
   if (health.match) message.status.push_back(matchStatus(*health.match));
   publisher_.publish(message);
-  complain(health.missing);
+  complain(health);
 }
 
-void NodeDiagnostics::complain(const std::string& missing) {
-  seconds_missing_ = missing.empty() ? 0 : seconds_missing_ + 1;
+void NodeDiagnostics::complain(const NodeHealth& health) {
+  seconds_missing_ = health.missing.empty() ? 0 : seconds_missing_ + 1;
   if (seconds_missing_ % kComplainAgain != kComplainAfter) return;
-  ROS_WARN("Not localizing for %d s: waiting for %s", seconds_missing_, missing.c_str());
+  const auto level = health.is_as_told ? ros::console::levels::Info : ros::console::levels::Warn;
+  ROS_LOG(level, ROSCONSOLE_DEFAULT_NAME, "Not localizing for %d s: waiting for %s",
+          seconds_missing_, health.missing.c_str());
 }
 
 }  // namespace adaptive_localization

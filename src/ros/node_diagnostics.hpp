@@ -18,6 +18,7 @@ namespace adaptive_localization {
 struct NodeHealth {
   ScanSource::Counts scans;
   std::string missing;                        // what localizing waits for; empty: nothing
+  bool is_as_told{false};                     // nothing but the pose that it was told to wait for
   std::optional<Eigen::Matrix3d> covariance;  // of the last pose, if there is one
   std::optional<MatchFault> match;            // of the last scan that was matched with the map
 };
@@ -32,7 +33,7 @@ class NodeDiagnostics {
 
  private:
   void publish();
-  void complain(const std::string& missing);
+  void complain(const NodeHealth& health);
 
   const NodeOptions& options_;  // the node's, which may change
   std::function<NodeHealth()> ask_;

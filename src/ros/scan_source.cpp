@@ -37,7 +37,8 @@ ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOpti
   filter_.registerFailureCallback(
       [this](const ScanPtr& message, tf2_ros::filter_failure_reasons::FilterFailureReason) {
         drop("tf cannot place frame '" + message->header.frame_id + "' in '" +
-             options_.odom_frame_id + "' at its stamp");
+                 options_.odom_frame_id + "' at its stamp",
+             isSettled());
       });
   for (const auto& topic : namesIn(options.scan_topics)) {
     subscribers_.push_back(subscribe<sensor_msgs::LaserScan>(
@@ -51,8 +52,8 @@ bool ScanSource::hears(const std::string& topic) const {
 }
 
 void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
-  ++counts_.received;
   last_received_ = ros::WallTime::now();
+  if (++counts_.received == 1) first_received_ = last_received_;
   last_frame_ = withoutLeadingSlash(message->header.frame_id);
   if (last_frame_.empty()) return drop("its frame_id is empty");
   if (!leavesRoom(message->header.stamp)) return drop("its stamp is out of range");
@@ -70,7 +71,8 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
     onJump(*jump, scan->header.stamp);
   }
   if (mounts_.lookFor(last_frame_) == LaserMounts::Knowledge::kUnknown) {
-    return drop("neither tf nor robot_description knows where frame '" + last_frame_ + "' is");
+    return drop("neither tf nor robot_description knows where frame '" + last_frame_ + "' is",
+                isSettled());
   }
   filter_.add(scan);
 }
@@ -102,8 +104,14 @@ bool ScanSource::use(const sensor_msgs::LaserScan& message) {
   return is_used;
 }
 
-void ScanSource::drop(const std::string& why) {
+/// While everything starts, transforms may come later than scans.
+bool ScanSource::isSettled() const {
+  return counts_.used > 0 || ros::WallTime::now() - first_received_ > kPatience;
+}
+
+void ScanSource::drop(const std::string& why, bool is_said) {
   ++counts_.dropped;
+  if (!is_said) return;
   // The same reason, whatever its figures, is said now and then; another one at once.
   if (said_.size() > kReasonsKept) said_.clear();
   ros::WallTime& said = said_[why.substr(0, why.find_first_of("0123456789"))];

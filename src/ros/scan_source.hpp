@@ -53,7 +53,8 @@ class ScanSource {
 
   void onJump(double seconds, const ros::Time& stamp);
   bool use(const sensor_msgs::LaserScan& message);
-  void drop(const std::string& why);
+  bool isSettled() const;
+  void drop(const std::string& why, bool is_said = true);
 
   tf2_ros::Buffer& tf_;
   const NodeOptions& options_;  // the node's, which may change
@@ -62,6 +63,7 @@ class ScanSource {
   JumpCallback on_jump_;
   StampWatch stamps_;
   Counts counts_;
+  ros::WallTime first_received_;
   ros::WallTime last_received_;
   ros::WallTime last_placed_;
   std::string last_frame_;

@@ -82,7 +82,7 @@ class BadMessages(LocalizationCase):
         empty_map.header.frame_id = "map"
         self.maps.publish(empty_map)
         self.wait_for_log("Map not used: map size: got 0 x 0 cells")
-        self.wait_for_log("Scans wait for the map", scan())
+        self.wait_for_log("waiting for a map on topic /map", scan())
         self.wait_for_log("Laser 'laser' sits at (0.200, 0.000) m, 0.0 deg on 'base_link': "
                           "from robot_description")
         self.maps.publish(room())
