@@ -30,6 +30,10 @@ SimulatorNodeOptions readOptions(const Parameters& parameters) {
     throw std::invalid_argument("option 'speed': got " + std::to_string(options.speed) +
                                 " without publish_clock, expected 1");
   }
+  if (options.lock_step && !options.publish_clock) {
+    throw std::invalid_argument(
+        "option 'lock_step': got true without publish_clock, expected false");
+  }
   return options;
 }
 
@@ -61,6 +65,10 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
   if (options_.publish_laser_tf) publishLaserFrame();
+  if (options_.lock_step) {
+    transforms_ = subscribe<tf2_msgs::TFMessage>(
+        node, "/tf", kQueue, [this](const auto& message) { onTransforms(*message); });
+  }
   command_ = subscribe<geometry_msgs::Twist>(node, "cmd_vel", 1,
                                              [this](const auto& message) { onCommand(*message); });
   kidnap_ = subscribe<geometry_msgs::PoseStamped>(
@@ -80,8 +88,8 @@ void SimulatorNode::advance() {
     wall_epoch_ += ros::WallDuration(behind - kCatchUp);
     behind = kCatchUp;
   }
-  for (auto steps = std::floor(behind * options_.speed / Simulation::kStep); steps >= 1.0;
-       --steps) {
+  for (auto steps = std::floor(behind * options_.speed / Simulation::kStep);
+       steps >= 1.0 && !mustWait(); --steps) {
     const Sensed sensed = simulation_.step();
     if (options_.publish_clock) {
       rosgraph_msgs::Clock clock;
@@ -89,6 +97,23 @@ void SimulatorNode::advance() {
       clock_.publish(clock);
     }
     publish(sensed);
+  }
+}
+
+/// Once somebody localizes the robot, and as long as one may hope that this goes on.
+bool SimulatorNode::mustWait() const {
+  constexpr double kLag = 0.5;       // s; more than between scans
+  constexpr double kPatience = 5.0;  // s of real time
+  if (!options_.lock_step || localized_.isZero()) return false;
+  return (toRosTime(simulation_.time()) - localized_).toSec() > kLag &&
+         (ros::WallTime::now() - localized_at_).toSec() < kPatience;
+}
+
+void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
+  for (const auto& transform : message.transforms) {
+    if (withoutLeadingSlash(transform.header.frame_id) != options_.global_frame_id) continue;
+    localized_ = transform.header.stamp;
+    localized_at_ = ros::WallTime::now();
   }
 }
 

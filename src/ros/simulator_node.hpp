@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <std_srvs/Empty.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -17,6 +18,7 @@ namespace adaptive_localization {
 struct SimulatorNodeOptions {
   bool publish_clock{false};
   double speed{1.0};
+  bool lock_step{false};
   bool publish_laser_tf{true};
   double laser_z{0.30};
   std::string laser_frame{"laser"};
@@ -30,6 +32,9 @@ struct SimulatorNodeOptions {
            "Make the time: publish /clock. On by itself where /use_sim_time is true.");
     option("speed", speed, Range{0.01, 100}, "",
            "Simulated over real time; other than 1 only with publish_clock.");
+    option("lock_step", lock_step,
+           "Time stops while the transforms of whoever localizes the robot lag, so that a slow "
+           "machine loses none of its scans; with publish_clock.");
     option("publish_laser_tf", publish_laser_tf,
            "Publish the laser's place on /tf_static; off where a robot_state_publisher does.");
     option("laser_z", laser_z, Range{-10, 10}, "m", "The laser's height above the floor.");
@@ -57,6 +62,8 @@ class SimulatorNode {
   void publishScan(const LaserScan& scan);
   void publishMarkers();
   void publishLaserFrame();
+  bool mustWait() const;
+  void onTransforms(const tf2_msgs::TFMessage& message);
   void onCommand(const geometry_msgs::Twist& message);
   void onKidnap(const geometry_msgs::PoseStamped& message);
   bool onKidnapRandom();
@@ -66,8 +73,10 @@ class SimulatorNode {
 
   SimulatorNodeOptions options_;
   Simulation simulation_;
-  ros::Time epoch_;           // when simulated time was 0
-  ros::WallTime wall_epoch_;  // when it should have been, at the speed asked for
+  ros::Time epoch_;             // when simulated time was 0
+  ros::WallTime wall_epoch_;    // when it should have been, at the speed asked for
+  ros::Time localized_;         // stamp of the newest transform of who localizes the robot
+  ros::WallTime localized_at_;  // when that came
   tf2_ros::TransformBroadcaster tf_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
   ros::Publisher clock_;
@@ -75,6 +84,7 @@ class SimulatorNode {
   ros::Publisher scan_;
   ros::Publisher truth_;
   ros::Publisher markers_;
+  ros::Subscriber transforms_;
   ros::Subscriber command_;
   ros::Subscriber kidnap_;
   ros::ServiceServer kidnap_random_;

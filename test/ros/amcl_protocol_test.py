@@ -77,7 +77,8 @@ class AmclProtocol(unittest.TestCase):
         drive = Drive(map(numbers, SCENE.route))
         self.addCleanup(drive.end)
         self.programs.start("p3dx_simulator", *arguments, world=map_file(), start=SCENE.start,
-                            seed=SCENE.seed, speed=SCENE.speed, max_speed=Drive.MAX_SPEED)
+                            seed=SCENE.seed, speed=SCENE.speed, lock_step="true",
+                            max_speed=Drive.MAX_SPEED)
         return drive
 
     def tell(self, drive):

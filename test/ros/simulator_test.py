@@ -5,12 +5,14 @@ import math
 import os
 import subprocess
 import sys
+import time
 
 import roslib.packages
 import rospkg
 import rospy
 import rostest
-from geometry_msgs.msg import PoseStamped, Twist
+import tf2_ros
+from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from localization_case import AT_LAST, LocalizationCase, planar, wrap
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
@@ -90,6 +92,24 @@ class Simulator(LocalizationCase):
         rospy.ServiceProxy("kidnap_random", Empty)()
         self.wait_for(lambda: not self.place_is(2.0, 2.7), "the robot to be carried")
 
+    def test_time_waits_for_whoever_localizes_the_robot(self):
+        broadcaster = tf2_ros.TransformBroadcaster()
+        self.wait_for(lambda: broadcaster.pub_tf.get_num_connections() >= 2, "the simulator")
+        correction = TransformStamped()
+        correction.header.frame_id, correction.child_frame_id = "map", "odom"
+        correction.transform.rotation.w = 1.0
+        correction.header.stamp = rospy.Time.now() + rospy.Duration(2)
+        held_at = correction.header.stamp.to_sec() + 0.5
+        broadcaster.sendTransform(correction)
+        self.wait_for(lambda: rospy.get_time() > held_at, "time to stop")
+        for _ in range(20):
+            broadcaster.sendTransform(correction)
+            time.sleep(0.1)
+            self.assertLess(rospy.get_time(), held_at + 0.05)
+        correction.header.stamp += rospy.Duration(1e6)
+        broadcaster.sendTransform(correction)
+        self.wait_for(lambda: rospy.get_time() > held_at + 1.0, "time to go on")
+
     def test_a_pose_in_another_frame_is_refused(self):
         self.carry_to(2.0, 2.7, "odom")
         self.wait_for_time(1.0)
@@ -110,7 +130,9 @@ class Simulator(LocalizationCase):
                 (["_world:=" + world, "_start:=1,2"], "'start': got '1,2', expected x,y,yaw"),
                 (["_world:=" + world, "_profile:=perfect"], "'profile': got 'perfect'"),
                 (["_world:=" + world, "_scan_rate:=-1"], "'scan_rate': got '-1', expected"),
-                (["_world:=" + world, "_speed:=2", "_publish_clock:=false"], "'speed'")]:
+                (["_world:=" + world, "_speed:=2", "_publish_clock:=false"], "'speed'"),
+                (["_world:=" + world, "_lock_step:=true", "_publish_clock:=false"],
+                 "'lock_step'")]:
             process = subprocess.Popen([PROGRAM, "__name:=bad"] + arguments,
                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             output = process.communicate(timeout=AT_LAST)[0].decode()
