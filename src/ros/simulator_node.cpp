@@ -102,8 +102,8 @@ void SimulatorNode::advance() {
 
 /// Once somebody localizes the robot, and as long as one may hope that this goes on.
 bool SimulatorNode::mustWait() const {
-  constexpr double kLag = 0.5;       // s; more than between scans
-  constexpr double kPatience = 5.0;  // s of real time
+  constexpr double kLag = 0.5;        // s; more than between scans
+  constexpr double kPatience = 30.0;  // s of real time
   if (!options_.lock_step || localized_.isZero()) return false;
   return (toRosTime(simulation_.time()) - localized_).toSec() > kLag &&
          (ros::WallTime::now() - localized_at_).toSec() < kPatience;

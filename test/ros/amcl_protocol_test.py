@@ -56,7 +56,7 @@ class AmclProtocol(unittest.TestCase):
             print("skipped: there is no %s" % map_file(), file=sys.__stdout__)
             self.skipTest("no map")
         rospy.set_param("/use_sim_time", True)  # of the nodes; this one needs no clock
-        self.tf = tf2_ros.Buffer(rospy.Duration(300))
+        self.tf = tf2_ros.Buffer(rospy.Duration(3600))
         self.listener = tf2_ros.TransformListener(self.tf)
         self.pose = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)
         self.programs = Programs()

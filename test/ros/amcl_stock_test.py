@@ -54,9 +54,9 @@ class AmclStock(LocalizationCase):
 
     def test_it_localizes_and_complains_about_nothing(self):
         self.wait_for(lambda: self.errors(), "a first pose")
-        self.wait_for_answers(5)  # the robot drives on from the initial pose while the node starts
+        self.wait_for_time(5)  # the robot drives on from the initial pose while the node starts
         begin = rospy.get_time()
-        self.wait_for_answers(25)
+        self.wait_for_time(25)
         errors = self.errors(begin)
         self.assertGreater(len(errors), 20)
         for stamp, metres, degrees in errors:
