@@ -10,13 +10,20 @@ import rospy
 import rostest
 from geometry_msgs.msg import Pose
 from localization_case import planar
-from toy_robot import ToyRobotCase
+from toy_robot import ToyRobotCase, compose
+
+TOLERANCE = 0.1  # s, by which transforms are post-dated
 
 
 class BlockedLaser(ToyRobotCase):
     def setUp(self):
         super().setUp()
         self.blocked_at = None  # m
+        self.driven = {}  # odometry by stamp
+
+    def move(self, *arguments, **named):
+        super().move(*arguments, **named)
+        self.driven[round(self.time.to_sec(), 3)] = self.odometry
 
     def scan_message(self, *arguments, **named):
         message = super().scan_message(*arguments, **named)
@@ -45,8 +52,9 @@ class BlockedLaser(ToyRobotCase):
                 last = before
                 for correction in self.corrections:
                     now = planar_of(correction)
-                    self.assertLess(math.dist(now[:2], last[:2]), 0.1, self.status_values())
-                    self.assertLess(math.dist(now[:2], before[:2]), 0.3, self.status_values())
+                    odometry = self.driven[round(correction.header.stamp.to_sec() - TOLERANCE, 3)]
+                    self.assertLess(moved(last, now, odometry), 0.1, self.status_values())
+                    self.assertLess(moved(before, now, odometry), 0.3, self.status_values())
                     last = now
                 self.assertGreater(len(self.corrections), 20)
 
@@ -59,6 +67,11 @@ class BlockedLaser(ToyRobotCase):
                 self.steps(6, (0.02, 0.0, 0.0))  # 0.12 m, so there is an update by then
                 self.assertEqual(self.status(), "tracking", self.status_values())
                 self.assertLess(self.error(), 0.05)
+
+
+def moved(old, new, odometry):
+    """How far another correction moves the robot, m: turned about it, the origin moves farther."""
+    return math.dist(compose(old, odometry)[:2], compose(new, odometry)[:2])
 
 
 def planar_of(transform):

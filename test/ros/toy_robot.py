@@ -75,7 +75,7 @@ class ToyRobotCase(LocalizationCase):
         super().setUp()
         self.pose = (1.5, 1.0, 0.3)
         self.odometry = (0.0, 0.0, 0.0)
-        self.time = rospy.Time.now()
+        self.time = rospy.Time(rospy.Time.now().secs)
         self.way = {}  # where the robot was, by stamp
         self.logs, self.clouds, self.corrections, self.diagnostics = [], [], [], []
         self.subscribers += [
