@@ -114,10 +114,9 @@ ScanView viewOf(const LaserScan& message, const LaserMount& mount, const BeamRea
   const auto count = static_cast<Eigen::Index>(view.width / view.spacing + kTolerance) + 1;
   view.range.resize(count);
   view.bearing.resize(count);
-  const double beams_apart = last > 0 ? view.spacing / std::abs(increment) : 0.0;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const auto steps = std::lround(static_cast<double>(k) * beams_apart);
-    const Eigen::Index i = std::min<Eigen::Index>(steps, last);
+    const double steps = k == 0 ? 0.0 : static_cast<double>(k) * view.spacing / std::abs(increment);
+    const Eigen::Index i = std::min<Eigen::Index>(std::lround(steps), last);
     const BeamReader::Beam beam = reader.read(last_is_rightmost ? last - i : i);
     view.range[k] = static_cast<float>(beam.range);
     view.bearing[k] = static_cast<float>(beam.bearing);

@@ -117,6 +117,14 @@ TEST(ScanView, HasAllBeamsOfACoarseLaser) {
   }
 }
 
+TEST(ScanView, OfBeamsThatAllPointTheSameWayIsTheFirst) {
+  for (const double increment : {1e-310, 1e-12, -1e-12}) {
+    const Scan scan = toScan(message({1.0F, 1.0F, 1.0F}, 0.0, increment), LaserMount{}, beams(2));
+    ASSERT_EQ(scan.view.range.size(), 1);
+    EXPECT_EQ(scan.view.range[0], 1.0F);
+  }
+}
+
 TEST(ScanView, TellsKindsOfBeamApart) {
   const Scan scan = toScan(message({kNan, 1.0F, kInf, 0.05F, 99.0F}), LaserMount{}, beams(2));
   ASSERT_EQ(scan.view.range.size(), 5);
