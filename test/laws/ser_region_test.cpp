@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -163,6 +164,35 @@ TEST_F(SerRegion, IsTheSameHoweverMuchAScanIsThinned) {
     EXPECT_TRUE(geometryOf(thinned, 10.0) == grid.geometry()) << beams;
     EXPECT_EQ(grid.energyOf(thinned)->value, energy.value) << beams;
     EXPECT_EQ(grid.energyOf(thinned)->delta, energy.delta) << beams;
+  }
+}
+
+/// In how many bins of some cells a side the poses of a region are.
+int binsOf(const EnergyGrid& grid, const EnergyGrid::Region& region, int cells) {
+  std::set<std::pair<int, int>> bins;
+  for (std::size_t i = region.begin; i < region.end; ++i) {
+    const Pose2 pose = grid.pose(i);
+    const Cell cell = grid.ranges().lattice().cellAt({pose.x, pose.y});
+    bins.insert({cell.x / cells, cell.y / cells});
+  }
+  return static_cast<int>(bins.size());
+}
+
+/// A. W. Li, Itajuba 2016, has regions of 206, 911 and 1690 poses of a maze like this one in 31, 65
+/// and 97 bins. He speaks of 18 headings and bins of two cells, and elsewhere of ten and three.
+TEST(SerOfTheSource, IsOneOfTenHeadingsAndBinsOfThreeCells) {
+  EnergyGridOptions options;
+  options.energy_orientations = 10;
+  const auto grid = gridOf(maze(0.15), halfCircle(), options);
+  for (const auto& [poses, bins] : {std::pair{206.0, 31}, {911.0, 65}, {1690.0, 97}}) {
+    int alike = 0;
+    for (std::size_t i = 0; i < grid->size(); i += 3) {
+      const auto region = grid->similarTo({grid->energy(i), options.ser_delta});
+      if (std::abs(static_cast<double>(region.size()) - poses) > 0.15 * poses) continue;
+      alike += std::abs(binsOf(*grid, region, 3) - bins) <= 2 ? 1 : 0;
+      EXPECT_GT(binsOf(*grid, region, 2), bins + 10);
+    }
+    EXPECT_GT(alike, 0) << poses;
   }
 }
 
