@@ -24,8 +24,6 @@ std::string numberIn(const Range& range, const std::string& unit) {
   text.precision(10);
   if (range.high < kInfinity) {
     text << "number in [" << range.low << ", " << range.high << "]";
-  } else if (range.low == kPositive.low) {
-    text << "finite number > 0";
   } else {
     text << "finite number";
     if (range.low > -kInfinity) text << " >= " << range.low;

@@ -26,7 +26,7 @@ struct ConfidenceOptions {
            "Share of agreeing hits at which the scan fits fully.");
     option("confidence_rate", confidence_rate, Range{1e-3, 1}, "",
            "Weight of the newest update in the running mean of the fit.");
-    option("converged_std", converged_std, kPositive, "m",
+    option("converged_std", converged_std, kPositiveDeviation, "m",
            "A mode is one place if its position's standard deviation is below this.");
     option("ambiguous_mass", ambiguous_mass, kProbability, "",
            "A second mode of at least this mass makes the answer ambiguous.");

@@ -15,10 +15,16 @@ struct Range {
   double low{-std::numeric_limits<double>::infinity()};
   double high{std::numeric_limits<double>::infinity()};
 };
-constexpr Range kPositive{std::numeric_limits<double>::min()};
-constexpr Range kNotNegative{0.0};
+
+// The ends are generous and yet there: what is beyond is a slip, and squares of it are no numbers.
+constexpr Range kPositive{1e-6, 1e6};
+constexpr Range kNotNegative{0.0, 1e6};
 constexpr Range kProbability{0.0, 1.0};
-constexpr Range kAnyNumber{};
+constexpr Range kDeviation{0.0, 1e3};  // standard deviations and noises, m or rad
+constexpr Range kPositiveDeviation{1e-6, 1e3};
+constexpr Range kVariance{0.0, 1e12};    // of a place that may be anywhere, m^2 or rad^2
+constexpr Range kCoordinate{-1e9, 1e9};  // m; rad
+constexpr Range kWhole{0.0, std::numeric_limits<int>::max()};
 
 using Choices = std::vector<std::string>;  // empty: any text
 

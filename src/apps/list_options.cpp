@@ -28,9 +28,7 @@ constexpr auto kUsage = R"(usage: list_options                               tab
 std::string rangeText(const Range& range) {
   std::ostringstream text;
   const bool bounded = range.high < std::numeric_limits<double>::infinity();
-  if (range.low == kPositive.low) {
-    text << "> 0";
-  } else if (bounded) {
+  if (bounded) {
     text << std::setprecision(4) << range.low << " to " << range.high;
   } else if (range.low > -std::numeric_limits<double>::infinity()) {
     text << ">= " << range.low;

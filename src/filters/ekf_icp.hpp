@@ -27,7 +27,7 @@ struct EkfOptions {
     option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
            "What corrects the pose: hits matched with the map, or straight lines in the scan with "
            "those of line_map.");
-    option("ekf_gate", ekf_gate, kPositive, "",
+    option("ekf_gate", ekf_gate, Range{1e-6, 1e12}, "",
            "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
            "11.34 holds for 99 of 100 right ones.");
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",

@@ -41,9 +41,9 @@ struct SwarmFixOptions {
            "Cost that is good enough to end a search.");
     option("swarm_max_iterations", swarm_max_iterations, Range{1, 1000000}, "",
            "Iterations of a search at the most.");
-    option("swarm_patience", swarm_patience, kNotNegative, "",
+    option("swarm_patience", swarm_patience, Range{0, 1000000}, "",
            "Iterations without progress that end a search; 0: any number.");
-    option("swarm_budget", swarm_budget, kPositive, "",
+    option("swarm_budget", swarm_budget, Range{1e-3, 1e4}, "",
            "Work of a search at the most, the first look of each searcher among it: 1 is a million "
            "ranges looked up, about 2 ms; a ray that is cast counts as 150 of them, the move of a "
            "searcher as 25, a leader that it looks at as 1. Searchers that could not fly 10 "

@@ -90,12 +90,12 @@ struct NodeOptions {
            "Standard deviation in yaw above which /diagnostics warns.");
     option("start", start, Choices{"pose", "anywhere", "wait"},
            "Start at initial_pose_*, anywhere on the map, or wait for an initialpose.");
-    option("initial_pose_x", initial_pose_x, kAnyNumber, "m", "Pose to start at, x.");
-    option("initial_pose_y", initial_pose_y, kAnyNumber, "m", "Pose to start at, y.");
-    option("initial_pose_a", initial_pose_a, kAnyNumber, "rad", "Pose to start at, yaw.");
-    option("initial_cov_xx", initial_cov_xx, kNotNegative, "m^2", "Its variance in x.");
-    option("initial_cov_yy", initial_cov_yy, kNotNegative, "m^2", "Its variance in y.");
-    option("initial_cov_aa", initial_cov_aa, kNotNegative, "rad^2", "Its variance in yaw.");
+    option("initial_pose_x", initial_pose_x, kCoordinate, "m", "Pose to start at, x.");
+    option("initial_pose_y", initial_pose_y, kCoordinate, "m", "Pose to start at, y.");
+    option("initial_pose_a", initial_pose_a, kCoordinate, "rad", "Pose to start at, yaw.");
+    option("initial_cov_xx", initial_cov_xx, kVariance, "m^2", "Its variance in x.");
+    option("initial_cov_yy", initial_cov_yy, kVariance, "m^2", "Its variance in y.");
+    option("initial_cov_aa", initial_cov_aa, kVariance, "rad^2", "Its variance in yaw.");
   }
 
   Gaussian2 initialPose() const {

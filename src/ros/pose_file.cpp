@@ -28,12 +28,12 @@ struct PoseOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("initial_pose_x", x, kAnyNumber, "m", "");
-    option("initial_pose_y", y, kAnyNumber, "m", "");
-    option("initial_pose_a", a, kAnyNumber, "rad", "");
-    option("initial_cov_xx", xx, kNotNegative, "m^2", "");
-    option("initial_cov_yy", yy, kNotNegative, "m^2", "");
-    option("initial_cov_aa", aa, kNotNegative, "rad^2", "");
+    option("initial_pose_x", x, kCoordinate, "m", "");
+    option("initial_pose_y", y, kCoordinate, "m", "");
+    option("initial_pose_a", a, kCoordinate, "rad", "");
+    option("initial_cov_xx", xx, kVariance, "m^2", "");
+    option("initial_cov_yy", yy, kVariance, "m^2", "");
+    option("initial_cov_aa", aa, kVariance, "rad^2", "");
   }
 };
 

@@ -17,7 +17,7 @@ struct AmclFields {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("gui_publish_rate", gui_publish_rate, kAnyNumber, "Hz",
+    option("gui_publish_rate", gui_publish_rate, Range{-1, 1000}, "Hz",
            "Accepted, and without effect as in amcl.");
     option("restore_defaults", restore_defaults, "Go back to the values at the start.");
   }

@@ -90,7 +90,9 @@ int GlobalSearch::truncation() const {
 }
 
 int GlobalSearch::steps(double error, const DirectionalScan& scan) const {
-  return static_cast<int>(std::ceil(error * scan.valid / grid_->ranges().metresPerStep()));
+  const double worst = static_cast<double>(RangeTable::kStride) * kNoReturn;
+  const double steps = std::ceil(error * scan.valid / grid_->ranges().metresPerStep());
+  return static_cast<int>(std::min(steps, worst));
 }
 
 std::size_t GlobalSearch::mostVisits() const {

@@ -162,5 +162,23 @@ TEST(GlobalSearch, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(GlobalSearch, LooksAtNoMorePosesThanItMay) {
+  const auto map = maze();
+  const auto grid = gridOf(map);
+  constexpr double kNode = 4.0 * 4.0 * 3.0;  // poses that are looked at together
+  Rng rng(7);
+  for (int n = 0; n < 50; ++n) {
+    GlobalSearchOptions options;
+    options.search_max_visits = static_cast<int>(std::exp(rng.uniform(0.0, 12.0)));
+    options.search_margin = std::exp(rng.uniform(-10.0, 13.0));
+    options.search_max_error = std::exp(rng.uniform(-10.0, 13.0));
+    options.search_truncation = std::exp(rng.uniform(-13.0, 13.0));
+    const auto search = searchOn(grid, map, options);
+    search->findPoses(randomScan(rng, 91));
+    const double poses = static_cast<double>(grid->ranges().size()) * kDirections;
+    EXPECT_LE(search->visitedShare() * poses, options.search_max_visits + kNode);
+  }
+}
+
 }  // namespace
 }  // namespace adaptive_localization

@@ -16,9 +16,9 @@ struct StartOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("initial_cov_xx", initial_cov_xx, kNotNegative, "m^2", "Variance of the start in x.");
-    option("initial_cov_yy", initial_cov_yy, kNotNegative, "m^2", "Variance of the start in y.");
-    option("initial_cov_aa", initial_cov_aa, kNotNegative, "rad^2",
+    option("initial_cov_xx", initial_cov_xx, kVariance, "m^2", "Variance of the start in x.");
+    option("initial_cov_yy", initial_cov_yy, kVariance, "m^2", "Variance of the start in y.");
+    option("initial_cov_aa", initial_cov_aa, kVariance, "rad^2",
            "Variance of the start's heading.");
   }
 };

@@ -29,12 +29,12 @@ struct LineOptions {
            "Length of a line at the least.");
     option("line_split", line_split, kPositive, "",
            "Hits farther from a line than so many times their noise are not of it.");
-    option("line_range_std", line_range_std, kPositive, "m",
+    option("line_range_std", line_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges, as lines take it.");
-    option("line_map_std", line_map_std, kNotNegative, "m",
+    option("line_map_std", line_map_std, kDeviation, "m",
            "Standard deviation of what all of a line's hits have in common: errors of the map's "
            "wall and of the laser's ranges.");
-    option("line_map_turn_std", line_map_turn_std, kNotNegative, "rad",
+    option("line_map_turn_std", line_map_turn_std, kDeviation, "rad",
            "The same of a line's direction.");
     option("line_gate", line_gate, kPositive, "",
            "Squared Mahalanobis distance up to which a line of the scan can be one of the map; "

@@ -51,17 +51,16 @@ struct MatchOptions {
            "Distance at which a hit counts a quarter, in the last iterations (kernel, ransac).");
     option("match_keep", match_keep, kProbability, "",
            "Share of the hits that is kept (trim); 0: found for each scan.");
-    option("match_range_std", match_range_std, kPositive, "m",
+    option("match_range_std", match_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges.");
-    option("match_surface_std", match_surface_std, kPositive, "m",
+    option("match_surface_std", match_surface_std, kPositiveDeviation, "m",
            "Standard deviation of a wall from where the map has it, hit by hit.");
     option("match_information", match_information, Range{1e-6, 1}, "",
            "What a hit is worth when a match says how sure it is; less than 1 as neighbouring hits "
            "share the map's errors.");
-    option("match_map_std", match_map_std, kNotNegative, "m",
+    option("match_map_std", match_map_std, kDeviation, "m",
            "Standard deviation of the map's own error, that all hits share.");
-    option("match_map_turn_std", match_map_turn_std, kNotNegative, "rad",
-           "The same of the heading.");
+    option("match_map_turn_std", match_map_turn_std, kDeviation, "rad", "The same of the heading.");
     option("match_least_inliers", match_least_inliers, kProbability, "",
            "A scan of which a smaller share fits is not matched: too much is not in the map.");
     option("line_map", line_map, Choices{},

@@ -30,16 +30,17 @@ struct MotionOptions {
            Choices{"diff", "omni", "diff-corrected", "omni-corrected"},
            "Motion model; the ones without '-corrected' take variances for standard deviations, as "
            "amcl's do.");
-    option("odom_alpha1", odom_alpha1, kNotNegative, "", "Rotation noise from rotation.");
-    option("odom_alpha2", odom_alpha2, kNotNegative, "rad^2/m^2",
+    option("odom_alpha1", odom_alpha1, Range{0, 100}, "", "Rotation noise from rotation.");
+    option("odom_alpha2", odom_alpha2, Range{0, 100}, "rad^2/m^2",
            "Rotation noise from translation.");
-    option("odom_alpha3", odom_alpha3, kNotNegative, "", "Translation noise from translation.");
-    option("odom_alpha4", odom_alpha4, kNotNegative, "m^2/rad^2",
+    option("odom_alpha3", odom_alpha3, Range{0, 100}, "", "Translation noise from translation.");
+    option("odom_alpha4", odom_alpha4, Range{0, 100}, "m^2/rad^2",
            "Translation noise from rotation.");
-    option("odom_alpha5", odom_alpha5, kNotNegative, "", "Sideways noise from translation (omni).");
-    option("odom_noise_xy", odom_noise_xy, kNotNegative, "m",
+    option("odom_alpha5", odom_alpha5, Range{0, 100}, "",
+           "Sideways noise from translation (omni).");
+    option("odom_noise_xy", odom_noise_xy, kDeviation, "m",
            "Standard deviation added to x and to y at each update, whatever the motion.");
-    option("odom_noise_theta", odom_noise_theta, kNotNegative, "rad",
+    option("odom_noise_theta", odom_noise_theta, kDeviation, "rad",
            "Standard deviation added to the heading at each update, whatever the motion.");
   }
 };

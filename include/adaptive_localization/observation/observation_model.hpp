@@ -42,10 +42,10 @@ struct ObservationOptions {
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
     option("laser_sigma_hit", laser_sigma_hit, Range{1e-3, 10}, "m",
            "Standard deviation of a hit, of sensor and map together.");
-    option("laser_sigma_sparse", laser_sigma_sparse, kNotNegative, "m",
+    option("laser_sigma_sparse", laser_sigma_sparse, Range{0, 10}, "m",
            "The same, at least, while particles are so few for the region they cover that none may "
            "be near the truth (likelihood fields).");
-    option("laser_lambda_short", laser_lambda_short, kPositive, "1/m",
+    option("laser_lambda_short", laser_lambda_short, kNotNegative, "1/m",
            "Decay of the share of short readings (beam).");
     option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
            "Hits farther than this from any obstacle count as this far (likelihood fields).");

@@ -42,7 +42,7 @@ struct KidnapOptions {
     option("kidnap_arm_spread", kidnap_arm_spread, kNotNegative, "m",
            "The test is on once the mean distance of particles from their mean was below this; 0: "
            "from the start.");
-    option("kidnap_arm_particles", kidnap_arm_particles, kNotNegative, "",
+    option("kidnap_arm_particles", kidnap_arm_particles, kWhole, "",
            "The test is on once there were fewer particles than this; 0: any number.");
     option("local_share", local_share, kProbability, "",
            "Share of the particles that stay when the robot seems to have been kidnapped (alpha).");

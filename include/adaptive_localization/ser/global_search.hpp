@@ -31,7 +31,7 @@ struct GlobalSearchOptions {
            "(global search).");
     option("search_max_places", search_max_places, Range{1, 10000}, "",
            "Candidates kept by the global search at the most.");
-    option("search_max_visits", search_max_visits, kNotNegative, "",
+    option("search_max_visits", search_max_visits, kWhole, "",
            "Poses looked at by one global search at the most, the most promising ones; 0: as many "
            "as it takes to leave none out that could matter.");
   }

@@ -17,9 +17,9 @@ struct PlaceSamplerOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("place_deviation_xy", place_deviation_xy, kNotNegative, "m",
+    option("place_deviation_xy", place_deviation_xy, kDeviation, "m",
            "Standard deviation in x and y of poses drawn around a place.");
-    option("place_deviation_theta", place_deviation_theta, kNotNegative, "rad",
+    option("place_deviation_theta", place_deviation_theta, kDeviation, "rad",
            "Standard deviation in heading of poses drawn around a place.");
     option("place_error_scale", place_error_scale, kPositive, "m",
            "A place whose mean range error is this much above the best one's is drawn e times less "

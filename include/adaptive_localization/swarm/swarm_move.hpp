@@ -43,7 +43,7 @@ struct BatOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("bat_frequency", bat_frequency, kNotNegative, "",
+    option("bat_frequency", bat_frequency, Range{0, 1e3}, "",
            "A bat is drawn to its leader by up to this many times its distance in one iteration.");
     option("bat_inertia", bat_inertia, Range{0, 1}, "",
            "Share of its velocity that a bat keeps from one iteration to the next.");
@@ -55,11 +55,11 @@ struct BatOptions {
         "walks always at first and ever more rarely.");
     option("bat_walk_adapts", bat_walk_adapts,
            "Local walks are as wide as the leader's colony is, and not bat_walk_size.");
-    option("bat_walk_size", bat_walk_size, kNotNegative, "m, rad",
+    option("bat_walk_size", bat_walk_size, kDeviation, "m, rad",
            "Standard deviation of a local walk in each coordinate.");
     option("bat_leap_share", bat_leap_share, kProbability, "",
            "Share of local walks that leap along one axis only, out of local minima.");
-    option("bat_leap_size", bat_leap_size, kNotNegative, "",
+    option("bat_leap_size", bat_leap_size, Range{0, 1e3}, "",
            "Standard deviation of a leap, as a share of the space.");
     option("bat_greedy", bat_greedy, "A bat takes every better place, however loud it is.");
     option("bat_loudness_decay", bat_loudness_decay, Range{0, 1}, "",
