@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "file_lock.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -50,14 +52,22 @@ std::vector<ExperimentResult> parse(const Lines& lines, const std::string& file)
   return results;
 }
 
+std::shared_ptr<const FileLock> lock(const std::string& file) {
+  try {
+    return std::make_shared<const FileLock>(file);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("results '" + file + "': " + error.what());
+  }
+}
+
 }  // namespace
 
 std::vector<ExperimentResult> readResults(const std::string& file) {
   return parse(readLines(file), file);
 }
 
-ExperimentFile::ExperimentFile(const std::string& file) : file_(file) {
-  if (std::filesystem::exists(file)) {
+ExperimentFile::ExperimentFile(const std::string& file) : file_(file), lock_(lock(file)) {
+  if (std::filesystem::is_regular_file(file)) {
     const Lines lines = readLines(file);
     results_ = parse(lines, file);
     if (!lines.rest.empty()) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The executable as its user meets it.
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "adaptive_localization/eval/experiment_command.hpp"
+#include "adaptive_localization/eval/experiment_file.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
 #include "support/program.hpp"
 #include "toy_experiment.hpp"
@@ -111,6 +114,29 @@ TEST_F(Experiments, RunUnderGnuParallelAsInOneProcess) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(summaryOf({"part.1.jsonl", "part.2.jsonl", "part.3.jsonl", "part.4.jsonl"}),
             summaryOf({"one.jsonl"}));
+}
+
+TEST_F(Experiments, KeepOthersAwayFromTheirResults) {
+  int pipe_ends[2];
+  ASSERT_EQ(pipe(pipe_ends), 0);
+  const pid_t other = fork();
+  if (other == 0) {
+    const ExperimentFile results(file("a.jsonl"));
+    (void)!write(pipe_ends[1], "x", 1);
+    for (;;) pause();
+  }
+  char begun = 0;
+  ASSERT_EQ(read(pipe_ends[0], &begun, 1), 1);
+  const auto second = run("a.jsonl", {"--quiet"});
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_THAT(second.errors,
+              AllOf(HasSubstr("results '" + file("a.jsonl")), HasSubstr("another program")));
+  EXPECT_EQ(run("b.jsonl", {"--shard", "1/2", "--quiet"}).exit_code, 0);
+  EXPECT_THAT(runsIn("a.jsonl"), IsEmpty());
+  kill(other, SIGKILL);
+  waitpid(other, nullptr, 0);
+  EXPECT_EQ(run("a.jsonl", {"--quiet"}).exit_code, 0);
+  EXPECT_EQ(runsIn("a.jsonl").size(), 10U);
 }
 
 TEST_F(Experiments, SayWhatTheyWouldRun) {

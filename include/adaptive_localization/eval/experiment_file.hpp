@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,14 @@ namespace adaptive_localization {
 /// Throws std::invalid_argument naming file and line.
 std::vector<ExperimentResult> readResults(const std::string& file);
 
+class FileLock;
+
 /// A file of results that grows run by run and can be gone on with after an interruption.
 class ExperimentFile {
  public:
-  /// Takes up what the file holds, without a last line that was cut off.
-  /// Throws std::invalid_argument naming the file when it cannot be read or written.
+  /// Takes up what the file holds, without a last line that was cut off, and keeps others away.
+  /// Throws std::invalid_argument naming the file when it cannot be read or written or another
+  /// program is writing it.
   explicit ExperimentFile(const std::string& file);
 
   /// The runs that the file does not hold yet. Throws std::invalid_argument when it holds one of
@@ -33,6 +37,7 @@ class ExperimentFile {
 
  private:
   std::string file_;
+  std::shared_ptr<const FileLock> lock_;
   std::vector<ExperimentResult> results_;
   std::ofstream output_;
 };
