@@ -72,9 +72,17 @@ Pose2 readOrigin(const YAML::Node& root) {
   return origin;
 }
 
-MapFile readMapFile(const std::string& yaml_file) {
+YAML::Node readYaml(const std::string& yaml_file) {
+  const std::string expected = "expected a YAML file with 'image: ...' and more";
+  if (std::ifstream(yaml_file) && cv::haveImageReader(yaml_file))
+    throw std::invalid_argument("got an image, " + expected);
   const YAML::Node root = YAML::LoadFile(yaml_file);
-  if (!root.IsMap()) throw std::invalid_argument("got no YAML map, expected 'image: ...' and more");
+  if (!root.IsMap()) throw std::invalid_argument("got no YAML map, " + expected);
+  return root;
+}
+
+MapFile readMapFile(const std::string& yaml_file) {
+  const YAML::Node root = readYaml(yaml_file);
   MapFile map;
   map.image = require<std::string>(root, "image", "the name of an image file");
   expect(!map.image.empty(), root, "image", "the name of an image file");

@@ -59,6 +59,13 @@ TEST_F(MapIo, TrinaryMapIsReadBottomRowFirst) {
   EXPECT_THAT(map.cells(), ElementsAre(-1, -1, 0, 0, -1, 100));
 }
 
+TEST_F(MapIo, ImageInsteadOfTheYamlFileIsToldApart) {
+  for (const std::string& image : {kImage, std::string("P2\n1 1\n255\n0\n")}) {
+    EXPECT_THAT(errorOf(image), HasSubstr("got an image, expected a YAML file with 'image: ...'"));
+    EXPECT_EQ(reason_, MapFileError::Reason::kMetadata);
+  }
+}
+
 TEST_F(MapIo, ScaleModeGradesBetweenTheThresholds) {
   folder_.write("map.pgm", kImage);
   const OccupancyGrid map = load(std::string(kYaml) + "mode: scale\n");
