@@ -3,7 +3,10 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,16 @@ void onSignal(int signal) {
   std::signal(signal, SIG_DFL);  // a second one ends the process at once
 }
 
+void play(adaptive_localization::BagStream& bag, const std::string& file,
+          adaptive_localization::LocalizationNode& localization,
+          const std::function<bool()>& go_on) {
+  try {
+    adaptive_localization::playBag(bag, localization, go_on);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("bag '" + file + "' " + error.what());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -37,6 +50,13 @@ int main(int argc, char** argv) {
     std::cerr << kUsage;
     return EXIT_FAILURE;
   }
+  std::optional<adaptive_localization::BagStream> bag;
+  try {
+    if (from_bag) bag.emplace(arguments[1]);  // before there are threads
+  } catch (const std::exception& error) {
+    std::cerr << "adaptive_localization: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
   const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
@@ -45,7 +65,7 @@ int main(int argc, char** argv) {
     const auto go_on = [] { return ros::ok() && !stop_requested; };
     if (from_bag) {
       if (arguments.size() == 3) localization.localizeAnywhere();
-      adaptive_localization::playBag(arguments[1], localization, go_on);
+      play(*bag, arguments[1], localization, go_on);
     } else {
       while (go_on()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
     }

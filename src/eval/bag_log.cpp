@@ -5,21 +5,18 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
+#include "../bag/bag_stream.hpp"
 #include "bag_log_frames.hpp"
 #include "bag_log_topics.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-using Topics = std::vector<std::string>;
 
 const TopicKind kScans{{"sensor_msgs/LaserScan"}, "--scan-topic", "laser scans"};
 const TopicKind kOdometry{{"nav_msgs/Odometry"}, "--odom-topic", "odometry"};
@@ -34,19 +31,19 @@ StampedPose toStampedPose(const std_msgs::Header& header, const geometry_msgs::P
   return {header.stamp.toSec(), {pose.position.x, pose.position.y, wrapAngle(yaw)}};
 }
 
-std::optional<StampedPose> toStampedPose(const rosbag::MessageInstance& message) {
+std::optional<StampedPose> toStampedPose(const BagMessage& message) {
   std::optional<StampedPose> pose;
-  if (const auto plain = message.instantiate<geometry_msgs::PoseStamped>()) {
+  if (const auto plain = message.as<geometry_msgs::PoseStamped>()) {
     pose = toStampedPose(plain->header, plain->pose);
-  } else if (const auto wide = message.instantiate<geometry_msgs::PoseWithCovarianceStamped>()) {
+  } else if (const auto wide = message.as<geometry_msgs::PoseWithCovarianceStamped>()) {
     pose = toStampedPose(wide->header, wide->pose.pose);
-  } else if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
+  } else if (const auto odometry = message.as<nav_msgs::Odometry>()) {
     pose = toStampedPose(odometry->header, odometry->pose.pose);
   }
   return pose && isFinite(pose->pose) ? pose : std::nullopt;
 }
 
-/// Keeps tf and rosbag from printing a line of their own for each oddity of a recording.
+/// Keeps tf from printing a line of their own for each oddity of a recording.
 class Silence {
  public:
   Silence() { console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE); }
@@ -61,7 +58,10 @@ class Silence {
 class BagReader {
  public:
   explicit BagReader(const LogRequest& request)
-      : request_(request), bag_(request.file), all_(bag_), topics_(all_), frames_(request.frames) {}
+      : request_(request),
+        stream_(request.file),
+        topics_(stream_.types()),
+        frames_(request.frames) {}
 
   Log read() {
     scan_topic_ = topics_.choose(request_.scan_topic, kScans);
@@ -71,7 +71,6 @@ class BagReader {
     if (!request_.truth_topic.empty()) {
       truth_topic_ = topics_.choose(request_.truth_topic, kReference);
     }
-    readStaticTransforms();
     readMessages();
     takeScans();
     if (!truth_topic_.empty()) setReference(Trajectory(std::move(reference_)), log_);
@@ -79,51 +78,32 @@ class BagReader {
   }
 
  private:
-  void readStaticTransforms() {
-    rosbag::View view(bag_, rosbag::TopicQuery(Topics{"/tf_static", "tf_static"}));
-    forEach(view, [this](const rosbag::MessageInstance& message) {
-      if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) frames_.add(*tf, true);
-    });
-  }
-
-  void readMessages() {
-    Topics topics{"/tf", "tf", scan_topic_};
-    if (!odom_topic_.empty()) topics.push_back(odom_topic_);
-    if (!truth_topic_.empty()) topics.push_back(truth_topic_);
-    rosbag::View view(bag_, rosbag::TopicQuery(topics));
-    forEach(view, [this](const rosbag::MessageInstance& message) { take(message); });
-  }
-
-  void take(const rosbag::MessageInstance& message) {
-    const std::string& topic = message.getTopic();
-    if (topic == scan_topic_) {
-      const auto scan = message.instantiate<sensor_msgs::LaserScan>();
-      if (scan && isWanted(scan->header.stamp.toSec(), request_)) frames_.add(*scan);
-    } else if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) {
-      frames_.add(*tf, false);
-    }
-    if (topic != odom_topic_ && topic != truth_topic_) return;
-    if (const auto pose = toStampedPose(message)) {
-      if (topic == odom_topic_) odometry_.push_back(*pose);
-      if (topic == truth_topic_) reference_.push_back(*pose);
-    }
-  }
-
   /// A message that cannot be decoded is skipped; a file that cannot be read on ends the reading.
-  template <class Action>
-  void forEach(rosbag::View& view, const Action& action) {
-    try {
-      for (const auto& message : view) {
-        try {
-          action(message);
-        } catch (const rosbag::BagException&) {
-          throw;
-        } catch (const std::exception&) {  // runs past its end, or is longer than memory
-          skip("a message of " + message.getTopic() + " is broken");
-        }
-      }
-    } catch (const rosbag::BagException& error) {
-      log_.warnings.push_back(std::string("reading stopped early: ") + error.what());
+  void readMessages() {
+    while (const auto message = stream_.next()) {
+      if (isOfUse(message->topic)) take(*message);
+    }
+    if (!stream_.whyStopped().empty()) {
+      log_.warnings.push_back("reading stopped early: " + stream_.whyStopped());
+    }
+  }
+
+  bool isOfUse(const std::string& topic) const {
+    const std::string name = withoutSlash(topic);
+    return name == "tf" || name == "tf_static" || topic == scan_topic_ || topic == odom_topic_ ||
+           topic == truth_topic_;
+  }
+
+  void take(const BagMessage& message) {
+    if (message.is_broken) return skip("a message of " + message.topic + " is broken");
+    if (message.topic == scan_topic_) {
+      const auto scan = message.as<sensor_msgs::LaserScan>();
+      if (scan && isWanted(scan->header.stamp.toSec(), request_)) frames_.add(*scan);
+    } else if (const auto tf = message.as<tf2_msgs::TFMessage>()) {
+      frames_.add(*tf, message.is_fixed);
+    } else if (const auto pose = toStampedPose(message)) {
+      if (message.topic == odom_topic_) odometry_.push_back(*pose);
+      if (message.topic == truth_topic_) reference_.push_back(*pose);
     }
   }
 
@@ -177,8 +157,7 @@ class BagReader {
   }
 
   const LogRequest& request_;
-  rosbag::Bag bag_;
-  rosbag::View all_;
+  BagStream stream_;
   BagTopics topics_;
   BagFrames frames_;
   std::string scan_topic_, odom_topic_, truth_topic_;
@@ -189,16 +168,11 @@ class BagReader {
 }  // namespace
 
 Log readBagLog(const LogRequest& request) {
-  const std::string name = "bag '" + request.file + "': ";
   const Silence silence;
   try {
     return BagReader(request).read();
-  } catch (const rosbag::BagException& error) {
-    throw std::invalid_argument(
-        name + "cannot be read: " + error.what() +
-        "; if it was cut off or never closed, 'rosbag reindex' saves what was recorded");
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name + error.what());
+    throw std::invalid_argument("bag '" + request.file + "' " + error.what());
   }
 }
 

@@ -15,12 +15,6 @@ std::string join(const std::set<std::string>& words) {
   return text.empty() ? "none" : text;
 }
 
-BagTopics::BagTopics(rosbag::View& view) {
-  for (const auto* connection : view.getConnections()) {
-    types_[connection->topic] = connection->datatype;
-  }
-}
-
 std::set<std::string> BagTopics::of(const TopicKind& kind) const {
   std::set<std::string> names;
   for (const auto& [topic, type] : types_) {

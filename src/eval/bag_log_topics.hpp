@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <rosbag/view.h>
-
 #include <map>
 #include <set>
 #include <string>
@@ -19,7 +17,7 @@ struct TopicKind {
 /// The topics of a bag by name, with their types.
 class BagTopics {
  public:
-  explicit BagTopics(rosbag::View& view);
+  explicit BagTopics(const std::map<std::string, std::string>& types) : types_(types) {}
 
   /// Names of the topics whose type fits.
   std::set<std::string> of(const TopicKind& kind) const;

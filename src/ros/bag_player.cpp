@@ -2,29 +2,24 @@
 #include "bag_player.hpp"
 
 #include <ros/callback_queue.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
+
+#include <boost/make_shared.hpp>
+#include <stdexcept>
 
 #include "conversions.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-void addTransforms(const rosbag::MessageInstance& message, bool fixed, tf2_ros::Buffer& tf) {
-  const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+void addTransforms(const BagMessage& message, tf2_ros::Buffer& tf) {
+  const auto transforms = message.as<tf2_msgs::TFMessage>();
   if (!transforms) return;
   for (auto transform : transforms->transforms) {
     for (auto* frame : {&transform.header.frame_id, &transform.child_frame_id}) {
       *frame = withoutLeadingSlash(*frame);
     }
-    tf.setTransform(transform, "bag", fixed);
-  }
-}
-
-void addFixedTransforms(const rosbag::Bag& bag, tf2_ros::Buffer& tf) {
-  for (const auto& message : rosbag::View(bag)) {
-    if (withoutLeadingSlash(message.getTopic()) == "tf_static") addTransforms(message, true, tf);
+    tf.setTransform(transform, "bag", message.is_fixed);
   }
 }
 
@@ -41,26 +36,27 @@ void report(const LocalizationNode& node, const ros::Time& stamp, double seconds
 
 }  // namespace
 
-void playBag(const std::string& path, LocalizationNode& node, const std::function<bool()>& go_on) {
-  const rosbag::Bag bag(path);
-  addFixedTransforms(bag, node.tf());
+void playBag(BagStream& bag, LocalizationNode& node, const std::function<bool()>& go_on) {
+  bag.types();  // that it can be read is said at once
   auto* queue = ros::getGlobalCallbackQueue();
   while (go_on() && !node.hasMap()) queue->callAvailable(ros::WallDuration(0.1));
 
   const ros::WallTime start = ros::WallTime::now();
   ros::Time stamp;
-  for (const auto& message : rosbag::View(bag)) {
+  while (const auto message = bag.next()) {
     if (!go_on()) return;
-    const std::string topic = withoutLeadingSlash(message.getTopic());
-    if (topic == "tf") addTransforms(message, false, node.tf());
+    const std::string topic = withoutLeadingSlash(message->topic);
+    if (topic == "tf" || message->is_fixed) addTransforms(*message, node.tf());
     if (topic == "base_scan" || node.hearsScansOn(topic)) {
-      if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
-        node.add(scan);
+      if (const auto scan = message->as<sensor_msgs::LaserScan>()) {
+        node.add(boost::make_shared<sensor_msgs::LaserScan>(*scan));
         stamp = scan->header.stamp;
       }
     }
     queue->callAvailable();
   }
+  if (!bag.whyStopped().empty())
+    throw std::invalid_argument("cannot be read on: " + bag.whyStopped());
   report(node, stamp, (ros::WallTime::now() - start).toSec());
 }
 

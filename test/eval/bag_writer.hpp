@@ -25,7 +25,11 @@ inline geometry_msgs::Quaternion yaw(double theta) {
 /// Writes small bags for tests; each message is recorded at its own stamp unless told otherwise.
 class BagWriter {
  public:
-  explicit BagWriter(const std::string& file) : bag_(file, rosbag::bagmode::Write) {}
+  explicit BagWriter(const std::string& file, rosbag::compression::CompressionType compression =
+                                                  rosbag::compression::Uncompressed)
+      : bag_(file, rosbag::bagmode::Write) {
+    bag_.setCompression(compression);
+  }
 
   void transform(const std::string& topic, double stamp, const std::string& parent,
                  const std::string& child, double x, double y,

@@ -3,6 +3,7 @@
 """amcl's bag mode: topics with and without a leading slash, the mount in /tf_static; a start
 that is not known; wrong arguments."""
 import os
+import random
 import re
 import subprocess
 import sys
@@ -79,6 +80,27 @@ class RunFromBag(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertEqual(output.count("FATAL"), 1, output)
         self.assertIn("/no/such.bag", output)
+
+    def test_damaged_bag_ends_with_a_message(self):
+        maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        maps.publish(room())
+        numbers = random.Random(1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "damaged.bag")
+            self.write_bag(path, "/", "scan")
+            with open(path, "rb") as bag:
+                whole = bag.read()
+            for _ in range(10):
+                damaged = bytearray(whole)
+                for _ in range(4):
+                    at = numbers.randrange(len(damaged) - 4)
+                    damaged[at:at + 4] = numbers.choice([b"\0\0\0\0", b"\xff\xff\xff\x7f"])
+                with open(path, "wb") as bag:
+                    bag.write(damaged)
+                code, output = self.run_node("--run-from-bag", path, "_use_map_topic:=true",
+                                             "_save_pose_rate:=-1")
+                self.assertIn(code, (0, 1), output)
+                self.assertTrue(code == 0 or path in output, output)
 
     def test_other_arguments_show_the_usage(self):
         for arguments in [["foo"], ["--run-from-bag"], ["--run-from-bag", "a", "--global"]]:
