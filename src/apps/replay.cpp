@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "../ros/amcl_keys.hpp"
+#include "../ros/node_options.hpp"
 #include "adaptive_localization/eval/plot.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"
@@ -13,6 +18,7 @@
 #include "adaptive_localization/eval/search_run.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "adaptive_localization/suggestion.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -21,14 +27,35 @@ void warn(const std::vector<std::string>& warnings) {
   for (const auto& warning : warnings) std::cerr << "replay: warning: " << warning << '\n';
 }
 
-/// Keys that neither the localizer nor the replayer knows.
-std::vector<std::string> unknownKeys(const Localizer& localizer, const Parameters& parameters) {
-  const auto here = parameters.unknownKeys();
-  std::vector<std::string> unknown;
-  for (const auto& key : localizer.unknownKeys()) {
-    if (std::count(here.begin(), here.end(), key)) unknown.push_back(key);
+/// All options that have a say here.
+std::vector<std::string> knownKeys(const Localizer& localizer) {
+  std::vector<std::string> keys = keysOf(localizer.allOptions());
+  for (const auto& rows : {describe(FrameOptions{}), describe(StartOptions{})}) {
+    for (const auto& key : keysOf(rows)) keys.push_back(key);
   }
-  return unknown;
+  return keys;
+}
+
+/// The node's parameters, and amcl's, may be in the same file.
+bool isOfNode(const std::string& key) {
+  const auto of_node = keysOf(describe(NodeOptions{}));
+  return std::count(of_node.begin(), of_node.end(), key) > 0 || amclKeys().count(key) > 0;
+}
+
+/// Says which parameters nobody reads: the node's own in one line, others, perhaps misspelt, each.
+void reportUnused(const ReplayCommand& command, const Localizer& localizer) {
+  const auto here = command.parameters.unknownKeys();
+  std::string of_node;
+  for (const auto& key : localizer.unknownKeys()) {
+    if (!std::count(here.begin(), here.end(), key)) continue;
+    if (isOfNode(key)) {
+      of_node += " " + key;
+    } else {
+      warn({"unknown parameter '" + key + "'" + suggestion(key, knownKeys(localizer))});
+    }
+  }
+  if (of_node.empty() || command.is_quiet) return;
+  std::cerr << "replay: parameters of the node that have no effect here:" << of_node << '\n';
 }
 
 Log readLog(const ReplayCommand& command) {
@@ -46,8 +73,7 @@ std::vector<StampedPose> estimates(const RunRecord& run) {
 }
 
 void writeResults(const ReplayCommand& command, const RunDescription& description,
-                  const OccupancyGrid& map, const RunRecord& run) {
-  const Metrics metrics = measure(run);
+                  const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics) {
   if (!command.trajectory_file.empty()) saveTum(estimates(run), command.trajectory_file);
   if (!command.json_file.empty()) saveJson(toJson(description, metrics), command.json_file);
   if (!command.plot_file.empty()) savePlot(map, run, metrics, command.plot_file);
@@ -65,15 +91,24 @@ void search(const ReplayCommand& command, const Localizer& localizer, const Log&
   if (!command.is_quiet) std::cout << summarize(metrics) << '\n';
 }
 
+void checkFit(const ReplayCommand& command, const Metrics& metrics) {
+  if (!isMisfit(metrics) || command.allows_misfit) return;
+  std::ostringstream text;
+  text << "the scans do not fit the map '" << command.map << "': no place explains "
+       << std::lround(100.0 * metrics.nowhere_share)
+       << " % of those that were looked at; is it the map of this building, is the robot on it, is "
+          "the laser's mount right? --allow-misfit takes that as it is";
+  throw std::runtime_error(text.str());
+}
+
 void replay(const ReplayCommand& command) {
   const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
   Localizer localizer(command.parameters, map);
   Log log = readLog(command);
   const Prior prior = startPrior(command.start, command.parameters.read<StartOptions>(), log);
+  checkStart(command.start, prior, *map);
   warn(log.warnings);
-  for (const auto& key : unknownKeys(localizer, command.parameters)) {
-    warn({"unknown parameter '" + key + "'"});
-  }
+  reportUnused(command, localizer);
   if (command.search > 0) return search(command, localizer, log);
   localizer.reset(prior);
 
@@ -84,9 +119,12 @@ void replay(const ReplayCommand& command) {
   }
   warn(run.warnings);
   const LocalizerOptions& options = localizer.options();
+  const Metrics metrics = measure(run);
   writeResults(command,
-               {command.log.file, command.map, options.filter, options.seed, options.threads}, *map,
-               run);
+               {command.log.file, command.map, options.filter, options.seed, options.threads,
+                startText(command.start, prior)},
+               *map, run, metrics);
+  checkFit(command, metrics);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "adaptive_localization/suggestion.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -65,7 +67,8 @@ EnergyCommand parseEnergyCommand(const std::vector<std::string>& arguments) {
     if (command.wants_help) return command;
     const auto handler = handlers.find(arguments[i]);
     if (handler == handlers.end()) {
-      throw std::invalid_argument("unknown argument '" + arguments[i] + "'");
+      throw std::invalid_argument("unknown argument '" + arguments[i] + "'" +
+                                  suggestion(arguments[i], handlers));
     }
     if (++i == arguments.size()) throw std::invalid_argument(handler->first + " needs a value");
     handler->second(arguments[i]);

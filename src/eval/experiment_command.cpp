@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "adaptive_localization/suggestion.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -107,7 +109,7 @@ ExperimentCommand parseExperimentCommand(const std::vector<std::string>& argumen
       }
       handler->second(arguments[++i]);
     } else if (isOption(name)) {
-      throw std::invalid_argument("unknown argument '" + name + "'");
+      throw std::invalid_argument("unknown argument '" + name + "'" + suggestion(name, handlers));
     } else if (!addOverride(name, command.overrides)) {
       command.files.push_back(name);
     }

@@ -10,6 +10,7 @@
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
+#include "adaptive_localization/suggestion.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
@@ -96,9 +97,11 @@ void checkCore(const ExperimentSite& site, const ExperimentCase& of_case,
                const ExperimentCore& core) {
   const std::string where = of_case.experiment + ", core '" + core.label + "': ";
   try {
-    const auto unknown = makeLocalizer(site, core, 1)->unknownKeys();
+    const auto localizer = makeLocalizer(site, core, 1);
+    const auto unknown = localizer->unknownKeys();
     if (unknown.empty()) return;
-    throw std::invalid_argument("unknown option '" + unknown.front() + "'");
+    throw std::invalid_argument("unknown option '" + unknown.front() + "'" +
+                                suggestion(unknown.front(), keysOf(localizer->allOptions())));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(where + error.what());
   }

@@ -107,12 +107,15 @@ double quantile(std::vector<double> values, double share) {
 
 Metrics measure(const RunRecord& run) {
   std::vector<double> times, cpu_times, particles, confidences;
+  int tracking = 0, nowhere = 0;
   for (const auto& step : run.steps) {
     confidences.push_back(step.confidence);
     if (!step.updated) continue;
     times.push_back(step.update_ms);
     cpu_times.push_back(step.cpu_ms);
     particles.push_back(step.particles);
+    tracking += step.status == Status::kTracking ? 1 : 0;
+    nowhere += step.status == Status::kLost || step.status == Status::kGlobalizing ? 1 : 0;
   }
   Metrics metrics;
   metrics.scans = static_cast<int>(run.steps.size());
@@ -130,8 +133,18 @@ Metrics measure(const RunRecord& run) {
   metrics.particles_mean = mean(particles);
   metrics.particles_max = static_cast<int>(largest(particles));
   metrics.confidence_mean = mean(confidences);
+  if (metrics.updates > 0) {
+    metrics.tracking_share = static_cast<double>(tracking) / metrics.updates;
+    metrics.nowhere_share = static_cast<double>(nowhere) / metrics.updates;
+  }
   metrics.errors = measureErrors(run.steps);
   return metrics;
+}
+
+bool isMisfit(const Metrics& metrics) {
+  constexpr double kHardlyEver = 0.05;
+  constexpr double kOften = 0.2;
+  return metrics.tracking_share < kHardlyEver && metrics.nowhere_share > kOften;
 }
 
 }  // namespace adaptive_localization

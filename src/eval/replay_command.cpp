@@ -7,6 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "adaptive_localization/suggestion.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -98,6 +100,23 @@ Handlers makeHandlers(ReplayCommand& command, GivenParameters& given) {
   };
 }
 
+using Flags = std::map<std::string, bool*>;
+
+Flags makeFlags(ReplayCommand& command) {
+  return {{"--allow-misfit", &command.allows_misfit},
+          {"--quiet", &command.is_quiet},
+          {"--help", &command.wants_help},
+          {"-h", &command.wants_help}};
+}
+
+[[noreturn]] void rejectArgument(const std::string& name, const Flags& flags,
+                                 const Handlers& handlers) {
+  std::vector<std::string> known;
+  for (const auto& entry : flags) known.push_back(entry.first);
+  for (const auto& entry : handlers) known.push_back(entry.first);
+  throw std::invalid_argument("unknown argument '" + name + "'" + suggestion(name, known));
+}
+
 }  // namespace
 
 std::string replayUsage() {
@@ -106,7 +125,7 @@ std::string replayUsage() {
 Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2) as fast as it goes.
 
   --filter NAME           filter core
-  --params FILE.yaml ...  parameters; a later file wins
+  --params FILE.yaml ...  parameters, the node's too; a later file wins
   --set KEY=VALUE ...     parameters one by one; win over the files
   --start truth | X,Y,YAW | global
                           where the robot starts: at the reference pose of the first scan used
@@ -123,6 +142,7 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --trajectory OUT.tum    write the estimate at every scan
   --json OUT.json         write the numbers
   --plot OUT.png          draw map, reference and estimate
+  --allow-misfit          end with 0 though the scans do not fit the map: it is another one, say
   --quiet                 print nothing but warnings and errors
   --help                  print this
 )";
@@ -131,15 +151,17 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
 ReplayCommand parseReplayCommand(const std::vector<std::string>& arguments) {
   ReplayCommand command;
   GivenParameters given;
+  const Flags flags = makeFlags(command);
   const Handlers handlers = makeHandlers(command, given);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& name = arguments[i];
-    command.is_quiet |= name == "--quiet";
-    command.wants_help |= name == "--help" || name == "-h";
-    if (command.wants_help) return command;
-    if (name == "--quiet") continue;
+    if (const auto flag = flags.find(name); flag != flags.end()) {
+      *flag->second = true;
+      if (command.wants_help) return command;
+      continue;
+    }
     const auto handler = handlers.find(name);
-    if (handler == handlers.end()) throw std::invalid_argument("unknown argument '" + name + "'");
+    if (handler == handlers.end()) rejectArgument(name, flags, handlers);
     if (i + 1 == arguments.size() || isOption(arguments[i + 1])) {
       throw std::invalid_argument(name + " needs a value");
     }

@@ -23,6 +23,7 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["log"] = description.log;
   json["map"] = description.map;
   json["filter"] = description.filter;
+  json["start"] = description.start;
   json["seed"] = description.seed;
   json["threads"] = description.threads;
   json["scans"] = metrics.scans;
@@ -57,6 +58,8 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["nees"]["median"] = consistency(&ErrorMetrics::nees_median);
   json["nees"]["in_band"] = consistency(&ErrorMetrics::nees_in_band);
   json["confidence_mean"] = metrics.confidence_mean;
+  json["tracking_share"] = metrics.tracking_share;
+  json["nowhere_share"] = metrics.nowhere_share;
   return json;
 }
 
@@ -64,6 +67,7 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
   std::ostringstream text;
   text << std::fixed << description.filter << ": " << metrics.scans << " scans, "
        << std::setprecision(0) << metrics.duration_s << " s, " << metrics.path_m << " m; ";
+  if (!description.start.empty()) text << "started " << description.start << "; ";
   if (metrics.errors) {
     text << std::setprecision(3) << "error " << metrics.errors->ate_rmse_m << " m rms, "
          << metrics.errors->ate_max_m << " m at most, " << std::setprecision(2)

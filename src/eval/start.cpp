@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/start.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -47,13 +49,55 @@ Pose2 parsePose(const std::string& text) {
   return {pose.x, pose.y, wrapAngle(pose.theta)};
 }
 
+std::string poseText(const Pose2& pose) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << '(' << pose.x << ", " << pose.y << ") m, "
+       << std::setprecision(1) << pose.theta * 180.0 / kPi << " deg";
+  return text.str();
+}
+
+/// From where to where a map goes, in its frame.
+std::string extentText(const Lattice& lattice) {
+  const double width = lattice.width() * lattice.resolution();
+  const double height = lattice.height() * lattice.resolution();
+  Eigen::AlignedBox2d box;
+  for (const Pose2& corner :
+       {Pose2{}, Pose2{width, 0.0, 0.0}, Pose2{0.0, height, 0.0}, Pose2{width, height, 0.0}}) {
+    const Pose2 corner_map = lattice.origin() * corner;
+    box.extend(Eigen::Vector2d(corner_map.x, corner_map.y));
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << "x from " << box.min().x() << " to "
+       << box.max().x() << " m, y from " << box.min().y() << " to " << box.max().y() << " m";
+  return text.str();
+}
+
+bool isReference(const std::string& start) {
+  return start.empty() || start == "truth";
+}
+
 }  // namespace
 
 Prior startPrior(const std::string& start, const StartOptions& options, Log& log) {
   const bool has_reference = std::any_of(log.scans.begin(), log.scans.end(), hasReference);
   if (start == "global" || (start.empty() && !has_reference)) return Anywhere{};
-  if (start == "truth" || start.empty()) return around(firstReference(log), options);
+  if (isReference(start)) return around(firstReference(log), options);
   return around(parsePose(start), options);
+}
+
+std::string startText(const std::string& start, const Prior& prior) {
+  const auto* told = std::get_if<Gaussian2>(&prior);
+  if (!told) return "anywhere on the map";
+  return "at " + poseText(told->mean) + (isReference(start) ? ", as the reference says" : "");
+}
+
+void checkStart(const std::string& start, const Prior& prior, const OccupancyGrid& map) {
+  const auto* told = std::get_if<Gaussian2>(&prior);
+  if (!told || map.lattice().contains(map.lattice().cellAt({told->mean.x, told->mean.y}))) return;
+  const std::string what =
+      isReference(start) ? "--start truth: the reference begins" : "--start: got a pose";
+  throw std::invalid_argument(what + " at " + poseText(told->mean) +
+                              ", expected one on the map: " + extentText(map.lattice()));
 }
 
 }  // namespace adaptive_localization

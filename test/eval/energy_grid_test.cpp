@@ -126,6 +126,7 @@ TEST(EnergyCommand, RejectsWhatItDoesNotKnow) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
   };
   expectRejected({"--speed", "3"}, "unknown argument '--speed'");
+  expectRejected({"--beam", "3"}, "'--beam'; did you mean '--beams'?");
   expectRejected({"--beams"}, "--beams needs a value");
   for (const char* view : {"", "0", "361", "nan", "90deg"}) {
     expectRejected({"--view", view}, "--view: got '" + std::string(view) + "', expected 1 to 360");

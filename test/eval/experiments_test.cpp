@@ -159,6 +159,7 @@ TEST_F(Experiments, SayWhatIsWrong) {
   expect({experiment_}, "--out is missing");
   expect({experiment_, "--out"}, "--out needs a value");
   expect({experiment_, "--out", out, "--nosuch"}, "unknown argument '--nosuch'");
+  expect({experiment_, "--uot", out}, "unknown argument '--uot'; did you mean '--out'?");
   expect({experiment_, "--out", out, "--jobs", "0"}, "--jobs: got '0', expected a whole number");
   expect({experiment_, "--out", out, "--seeds", "2x"}, "--seeds: got '2x'");
   for (const std::string shard : {"3", "0/2", "3/2", "a/2", "1/"}) {
@@ -169,6 +170,7 @@ TEST_F(Experiments, SayWhatIsWrong) {
   expect({file("nosuch.yaml"), "--out", out}, "nosuch.yaml");
   expect({experiment_, "--out", out, "duration:=soon"}, "'duration': got 'soon'");
   expect({experiment_, "--out", out, "nosuch_option:=1"}, "unknown option 'nosuch_option'");
+  expect({experiment_, "--out", out, "lazer_max_beams:=30"}, "did you mean 'laser_max_beams'?");
   expect({experiment_, "--out", file("no/such/x.jsonl")}, "cannot be written");
   EXPECT_EQ(runProgram(EXPERIMENTS, {"--help"}).output, experimentUsage());
 }

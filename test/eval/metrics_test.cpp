@@ -32,6 +32,39 @@ TEST(Quantile, InterpolatesBetweenRanks) {
   EXPECT_DOUBLE_EQ(quantile({}, 0.5), 0.0);
 }
 
+/// So many updates with each status, and a scan between them that made none.
+Metrics afterUpdates(int tracking, int ambiguous, int globalizing, int lost) {
+  RunRecord run;
+  const auto add = [&run](int count, Status status) {
+    for (int i = 0; i < 2 * count; ++i) {
+      run.steps.push_back(step(static_cast<double>(run.steps.size()), 0.0));
+      run.steps.back().updated = i % 2 == 0;
+      run.steps.back().status = i % 2 == 0 ? status : Status::kUninitialised;
+    }
+  };
+  add(tracking, Status::kTracking);
+  add(ambiguous, Status::kAmbiguous);
+  add(globalizing, Status::kGlobalizing);
+  add(lost, Status::kLost);
+  return measure(run);
+}
+
+TEST(Metrics, TellsWhatTheLocalizerSaidAtUpdates) {
+  const Metrics metrics = afterUpdates(5, 2, 1, 2);
+  EXPECT_DOUBLE_EQ(metrics.tracking_share, 0.5);
+  EXPECT_DOUBLE_EQ(metrics.nowhere_share, 0.3);
+  EXPECT_DOUBLE_EQ(Metrics{}.tracking_share, 0.0);
+}
+
+TEST(Metrics, MisfitIsToBeNowhereAndHardlyEverTracked) {
+  EXPECT_TRUE(isMisfit(afterUpdates(0, 0, 0, 10)));
+  EXPECT_TRUE(isMisfit(afterUpdates(0, 5, 5, 0)));
+  EXPECT_TRUE(isMisfit(afterUpdates(1, 70, 20, 9)));
+  EXPECT_FALSE(isMisfit(afterUpdates(1, 0, 0, 9))) << "found in the end";
+  EXPECT_FALSE(isMisfit(afterUpdates(0, 96, 0, 4))) << "a poor map, but the right one";
+  EXPECT_FALSE(isMisfit(afterUpdates(0, 0, 0, 0))) << "nothing is known";
+}
+
 TEST(Metrics, TakesErrorsAtEveryScan) {
   auto steps = std::vector<RunStep>{step(0, 0.0), step(1, 0.1), step(2, -0.2), step(3, 0.2)};
   steps[1].updated = true;

@@ -40,6 +40,8 @@ TEST(ReplayCommand, ReadsAllItsArguments) {
   EXPECT_EQ(command.json_file, "o.json");
   EXPECT_EQ(command.plot_file, "o.png");
   EXPECT_TRUE(command.is_quiet);
+  EXPECT_FALSE(command.allows_misfit);
+  EXPECT_TRUE(parse({"--allow-misfit"}).allows_misfit);
   EXPECT_EQ(parse({"--truth", "t.tum"}).truth_file, "t.tum");
 }
 
@@ -65,6 +67,8 @@ TEST(ReplayCommand, RejectsWhatItDoesNotKnow) {
   };
   expectRejected(with({"--speed", "3"}), "unknown argument '--speed'");
   expectRejected(with({"stray"}), "unknown argument 'stray'");
+  expectRejected(with({"--thread", "3"}), "'--thread'; did you mean '--threads'?");
+  expectRejected(with({"--qiuet"}), "'--qiuet'; did you mean '--quiet'?");
   expectRejected(with({"--seed"}), "--seed needs a value");
   expectRejected(with({"--start", "--quiet"}), "--start needs a value");
   expectRejected(with({"--seed", "two"}), "--seed: got 'two', expected a number");
@@ -113,6 +117,40 @@ TEST(Start, IsAnywhereWithoutReferenceOrIfAsked) {
   EXPECT_TRUE(std::holds_alternative<Anywhere>(startPrior("", {}, log)));
   EXPECT_THAT([&] { startPrior("truth", {}, log); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("no reference at any scan")));
+}
+
+const OccupancyGrid kMap(Lattice(20, 10, 0.5, {-1.0, 2.0, 0.0}), std::vector<std::int8_t>(200, 0));
+
+TEST(Start, IsOnTheMapOrRefused) {
+  Log log = threeScans();
+  for (const char* start : {"-0.9,2.1,0", "8.9,6.9,3", "truth", "global"}) {
+    checkStart(start, startPrior(start, {}, log), kMap);
+  }
+  EXPECT_THAT([&] { checkStart("9.1,3,0.5", startPrior("9.1,3,0.5", {}, log), kMap); },
+              ThrowsMessage<std::invalid_argument>(
+                  "--start: got a pose at (9.100, 3.000) m, 28.6 deg, expected one on the map: "
+                  "x from -1.000 to 9.000 m, y from 2.000 to 7.000 m"));
+  log.scans.erase(log.scans.begin());  // the next reference is at (9, 9) m
+  EXPECT_THAT([&] { checkStart("", startPrior("", {}, log), kMap); },
+              ThrowsMessage<std::invalid_argument>(
+                  HasSubstr("--start truth: the reference begins at (9.000, 9.000) m")));
+}
+
+TEST(Start, KnowsHowFarATurnedMapGoes) {
+  Log log = threeScans();
+  const OccupancyGrid turned(Lattice(20, 10, 0.5, {1.0, 0.0, 0.5 * kPi}), kMap.cells());
+  checkStart("-3.9,9.9,0", startPrior("-3.9,9.9,0", {}, log), turned);
+  EXPECT_THAT([&] { checkStart("1.1,5,0", startPrior("1.1,5,0", {}, log), turned); },
+              ThrowsMessage<std::invalid_argument>(
+                  HasSubstr("x from -4.000 to 1.000 m, y from 0.000 to 10.000 m")));
+}
+
+TEST(Start, IsSaidInWords) {
+  Log log = threeScans();
+  EXPECT_EQ(startText("global", startPrior("global", {}, log)), "anywhere on the map");
+  EXPECT_EQ(startText("1,2,0.5", startPrior("1,2,0.5", {}, log)), "at (1.000, 2.000) m, 28.6 deg");
+  EXPECT_EQ(startText("", startPrior("", {}, log)),
+            "at (1.000, 2.000) m, 28.6 deg, as the reference says");
 }
 
 TEST(Start, ReadsAPose) {

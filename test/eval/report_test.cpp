@@ -35,7 +35,9 @@ TEST(Report, HoldsTheAgreedKeys) {
                           "ate_max_m",      "heading_rmse_deg",
                           "final_error_m",  "final_heading_error_deg",
                           "converged_at_s", "lost_share",
-                          "misled_share",   "confidence_mean"}) {
+                          "misled_share",   "confidence_mean",
+                          "start",          "tracking_share",
+                          "nowhere_share"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;
   }

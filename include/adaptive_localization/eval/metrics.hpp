@@ -47,9 +47,16 @@ struct Metrics {
   int particles_max{0};
   double confidence_mean{0.0};
   std::optional<ErrorMetrics> errors;  // none without a reference
+  double tracking_share{0.0};          // of the updates
+  double nowhere_share{0.0};  // of the updates; lost or globalizing: no place explains them
 };
 
 Metrics measure(const RunRecord& run);
+
+/// Whether the scans cannot be of this map, or the robot was never found on it, by what the
+/// localizer says: it hardly ever says tracking, and often that no place explains the scan. On a
+/// map that is poor but right it says ambiguous.
+bool isMisfit(const Metrics& metrics);
 
 /// The value below which a share of the values lies, interpolated linearly between ranks (type 7 of
 /// Hyndman and Fan 1996, numpy's default); 0 for no values.

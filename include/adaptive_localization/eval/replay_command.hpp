@@ -18,7 +18,8 @@ struct ReplayCommand {
   std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
   std::string trajectory_file, json_file, plot_file;
-  int search{0};  // scans to be searched instead
+  int search{0};              // scans to be searched instead
+  bool allows_misfit{false};  // ends well though the scans fit the map nowhere
   bool is_quiet{false};
   bool wants_help{false};
 };

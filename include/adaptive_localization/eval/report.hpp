@@ -13,6 +13,7 @@ struct RunDescription {
   std::string log, map, filter;
   int seed{1};
   int threads{1};
+  std::string start{};  // where, in words; empty: not told
 };
 
 /// Description and numbers of a run; the errors are null without a reference.

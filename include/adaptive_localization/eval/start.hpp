@@ -5,6 +5,7 @@
 
 #include "adaptive_localization/eval/log.hpp"
 #include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 
@@ -28,5 +29,12 @@ struct StartOptions {
 /// for truth where the log has a reference and global elsewhere.
 /// Throws std::invalid_argument saying what was expected.
 Prior startPrior(const std::string& start, const StartOptions& options, Log& log);
+
+/// Where that is, for people: a pose, and whether it is the reference's, or anywhere.
+std::string startText(const std::string& start, const Prior& prior);
+
+/// Throws std::invalid_argument naming the pose, and from where to where the map goes, if the prior
+/// is a pose outside of it.
+void checkStart(const std::string& start, const Prior& prior, const OccupancyGrid& map);
 
 }  // namespace adaptive_localization
