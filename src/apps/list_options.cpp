@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -66,11 +67,21 @@ std::string allowed(const OptionDescription& option) {
   return range + (range.empty() || option.unit.empty() ? "" : " ") + option.unit;
 }
 
-void printTable(const std::string& title, const std::vector<OptionDescription>& options) {
+using Values = std::map<std::string, OptionValue>;
+
+/// What the default core runs with; of the others' options their own defaults.
+Values defaultValues() {
+  Values values;
+  for (const auto& option : allOptions({})) values[option.key] = option.value;
+  return values;
+}
+
+void printTable(const std::string& title, const std::vector<OptionDescription>& options,
+                const Values& values) {
   std::cout << "**" << title
             << "**\n\n| option | default | allowed | meaning |\n|---|---|---|---|\n";
   for (const auto& option : options) {
-    std::cout << "| `" << option.key << "` | " << shortText(option.value) << " | "
+    std::cout << "| `" << option.key << "` | " << shortText(values.at(option.key)) << " | "
               << allowed(option) << " | " << option.sentence << " |\n";
   }
   std::cout << '\n';
@@ -88,16 +99,18 @@ void printTables() {
       if (seen.insert(option.key).second) of_filters.push_back(option);
     }
   }
-  std::cout << '\n';
-  printTable("Localizer", describe(LocalizerOptions{}));
-  printTable("Scans", describe(ScanOptions{}));
-  printTable("Filters", of_filters);
-  printTable("Matching scans", describe(MatchOptions{}));
-  printTable("Confidence and status", describe(ConfidenceOptions{}));
-  printTable("Energy grid", describe(EnergyGridOptions{}));
-  printTable("Global search", describe(GlobalSearchOptions{}));
-  printTable("Rival places", describe(RivalsOptions{}));
-  printTable("Node only", describe(NodeOptions{}));
+  std::cout << "\nDefaults are those of the default core, " << LocalizerOptions{}.filter
+            << ", with its recommended preset.\n\n";
+  const Values values = defaultValues();
+  printTable("Localizer", describe(LocalizerOptions{}), values);
+  printTable("Scans", describe(ScanOptions{}), values);
+  printTable("Filters", of_filters, values);
+  printTable("Matching scans", describe(MatchOptions{}), values);
+  printTable("Confidence and status", describe(ConfidenceOptions{}), values);
+  printTable("Energy grid", describe(EnergyGridOptions{}), values);
+  printTable("Global search", describe(GlobalSearchOptions{}), values);
+  printTable("Rival places", describe(RivalsOptions{}), values);
+  printTable("Node only", describe(NodeOptions{}), values);
 }
 
 void printYaml(const std::string& core, const std::string& preset) {

@@ -68,6 +68,18 @@ TEST(Documents, ReadmeTellsOfEveryOption) {
   }
 }
 
+TEST(Documents, ReadmeTellsWhatTheDefaultCoreRunsWith) {
+  const auto cell =
+      std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
+  const std::string readme = contentsOf("README.md");
+  for (const auto& option : Localizer({}, cell).effectiveOptions()) {
+    if (!std::holds_alternative<bool>(option.value)) continue;
+    EXPECT_NE(readme.find("| `" + option.key + "` | " + toText(option.value) + " |"),
+              std::string::npos)
+        << option.key << ": " << kAdvice;
+  }
+}
+
 TEST(Documents, ParameterFilesAreUpToDate) {
   forEachPreset([](const std::string& core, const std::string& preset) {
     EXPECT_EQ(contentsOf(fileOf(core, preset)), outputOf("--yaml " + core + " --preset " + preset))
