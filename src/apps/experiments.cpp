@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/error_text.hpp"
 #include "adaptive_localization/eval/experiment_command.hpp"
 #include "adaptive_localization/eval/experiment_file.hpp"
 #include "adaptive_localization/eval/experiment_plot.hpp"
@@ -95,8 +96,8 @@ int runExperiments(const std::vector<std::string>& arguments) {
     } else {
       run(command);
     }
-  } catch (const std::exception& error) {
-    std::cerr << "experiments: " << error.what() << '\n';
+  } catch (...) {  // a plug-in may throw anything
+    std::cerr << "experiments: " << errorText() << '\n';
     return 1;
   }
   return 0;

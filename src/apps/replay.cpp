@@ -11,6 +11,7 @@
 
 #include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
+#include "adaptive_localization/error_text.hpp"
 #include "adaptive_localization/eval/plot.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"
@@ -143,8 +144,8 @@ int runReplay(const std::vector<std::string>& arguments) {
   }
   try {
     replay(command);
-  } catch (const std::exception& error) {
-    std::cerr << "replay: " << error.what() << '\n';
+  } catch (...) {  // a plug-in may throw anything
+    std::cerr << "replay: " << errorText() << '\n';
     return 1;
   }
   return 0;
