@@ -122,9 +122,10 @@ class LocalizationCase(unittest.TestCase):
         self.wait_for(lambda: rospy.get_time() >= end, "time to pass")
 
     def wait_for_answers(self, seconds):
-        """To all scans of so many simulated seconds from now on."""
+        """To all scans of so many simulated seconds from now on, and for the truth of them."""
         end = rospy.get_time() + seconds
         self.wait_for(lambda: self.statuses and stamp_of(self.statuses[-1]) >= end, "answers")
+        self.wait_for(lambda: not self.truths or self.truths[-1][0] >= end, "the truth")
 
     def wait_for_param(self, name, is_wanted=lambda value: True):
         """The parameter's value; the node writes parameters when it finds the time."""

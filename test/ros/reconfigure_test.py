@@ -75,9 +75,10 @@ class Reconfigure(LocalizationCase):
     def expect_smooth_tracking(self, seconds):
         """Goes on for so long; since the test began the pose is right and nothing jumped."""
         clouds, poses = len(self.clouds), len(self.poses)
+        end = rospy.get_time() + seconds
         self.wait_for_answers(seconds)
-        self.assertGreater(len(self.poses), poses)
-        self.assertGreater(len(self.clouds), clouds)
+        self.wait_for(lambda: self.corrections[-1][0] >= end, "the transforms")
+        self.wait_for(lambda: len(self.poses) > poses and len(self.clouds) > clouds, "poses")
         for _, metres, degrees in self.errors(self.since):
             self.assertLess(metres, 0.1)
             self.assertLess(degrees, 4.0)
