@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/callback_queue.h>
+#include <ros/console.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -11,14 +12,20 @@
 #include <vector>
 
 #include "../ros/bag_player.hpp"
+#include "../ros/command_line.hpp"
 #include "../ros/localization_node.hpp"
 #include "adaptive_localization/error_text.hpp"
 
 namespace {
 
 constexpr auto kUsage =
-    "usage: adaptive_localization [--run-from-bag BAG [--global-localization]]\n"
-    "       with ROS's own arguments: topic:=other_topic _parameter:=value __name:=name\n";
+    "usage: adaptive_localization [--verbose] [--run-from-bag BAG [--global-localization]]\n"
+    "       with ROS's own arguments: topic:=other_topic _parameter:=value __name:=name\n\n"
+    "Localizes a robot with a laser on a map; a drop-in alternative to amcl.\n\n"
+    "  --verbose              say all options in effect, not only those that were changed\n"
+    "  --run-from-bag BAG     take scans and transforms from a bag, and end with it\n"
+    "  --global-localization  start anywhere on the map\n"
+    "  --help                 print this\n";
 
 volatile std::sig_atomic_t stop_requested = 0;
 
@@ -27,22 +34,47 @@ void onSignal(int signal) {
   std::signal(signal, SIG_DFL);  // a second one ends the process at once
 }
 
-void play(adaptive_localization::BagStream& bag, const std::string& file,
-          adaptive_localization::LocalizationNode& localization,
-          const std::function<bool()>& go_on) {
+/// Runs the node until a signal or the end of the bag.
+void run(std::optional<adaptive_localization::BagStream>& bag,
+         const std::vector<std::string>& arguments) {
+  adaptive_localization::LocalizationNode localization(ros::NodeHandle(), ros::NodeHandle("~"));
+  const auto go_on = [] { return ros::ok() && !stop_requested; };
+  if (arguments.size() == 3) localization.localizeAnywhere();
   try {
-    adaptive_localization::playBag(bag, localization, go_on);
+    if (bag) adaptive_localization::playBag(*bag, localization, go_on);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("bag '" + file + "' " + error.what());
+    throw std::invalid_argument("bag '" + arguments[1] + "' " + error.what());
+  }
+  while (!bag && go_on()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  localization.writePose();
+}
+
+/// Takes an argument out; says whether it was there.
+bool take(const std::string& flag, std::vector<std::string>& arguments) {
+  const auto end = std::remove(arguments.begin(), arguments.end(), flag);
+  const bool was_there = end != arguments.end();
+  arguments.erase(end, arguments.end());
+  return was_there;
+}
+
+void showAllOptions() {
+  constexpr auto kLogger = ROSCONSOLE_DEFAULT_NAME ".options";
+  if (ros::console::set_logger_level(kLogger, ros::console::levels::Debug)) {
+    ros::console::notifyLoggerLevelsChanged();
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::vector<std::string> arguments = adaptive_localization::ownArguments(argc, argv);
+  if (adaptive_localization::wantsHelp(arguments)) {
+    std::cout << kUsage;
+    return EXIT_SUCCESS;
+  }
   // roscpp's own handler would close the connection to the master before the pose is kept.
   ros::init(argc, argv, "adaptive_localization", ros::init_options::NoSigintHandler);
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (take("--verbose", arguments)) showAllOptions();
   const bool from_bag = (arguments.size() == 2 || arguments.size() == 3) &&
                         arguments[0] == "--run-from-bag" &&
                         (arguments.size() == 2 || arguments[2] == "--global-localization");
@@ -61,15 +93,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   try {
-    adaptive_localization::LocalizationNode localization(node, ros::NodeHandle("~"));
-    const auto go_on = [] { return ros::ok() && !stop_requested; };
-    if (from_bag) {
-      if (arguments.size() == 3) localization.localizeAnywhere();
-      play(*bag, arguments[1], localization, go_on);
-    } else {
-      while (go_on()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
-    }
-    localization.writePose();
+    run(bag, arguments);
   } catch (...) {
     ROS_FATAL("%s", adaptive_localization::errorText().c_str());
     return EXIT_FAILURE;

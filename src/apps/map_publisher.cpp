@@ -2,18 +2,34 @@
 #include "../ros/map_publisher.hpp"
 
 #include <cstdlib>
+#include <iostream>
 
+#include "../ros/command_line.hpp"
 #include "adaptive_localization/error_text.hpp"
 
+namespace {
+
+constexpr auto kUsage = R"(usage: map_publisher MAP.yaml [_frame_id:=map]
+
+Publishes a map as map_server does: topics map and map_metadata, services static_map and change_map.
+)";
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  const auto arguments = adaptive_localization::ownArguments(argc, argv);
+  if (adaptive_localization::wantsHelp(arguments)) {
+    std::cout << kUsage;
+    return EXIT_SUCCESS;
+  }
   ros::init(argc, argv, "map_publisher");
-  if (argc != 2) {
+  if (arguments.size() != 1) {
     ROS_FATAL("usage: map_publisher MAP.yaml");
     return EXIT_FAILURE;
   }
   const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
   try {
-    adaptive_localization::MapPublisher publisher(node, ros::NodeHandle("~"), argv[1]);
+    adaptive_localization::MapPublisher publisher(node, ros::NodeHandle("~"), arguments[0]);
     ros::spin();
   } catch (...) {
     ROS_FATAL("%s", adaptive_localization::errorText().c_str());

@@ -3,14 +3,51 @@
 
 #include <ros/console.h>
 
+#include <map>
 #include <stdexcept>
 
 #include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/suggestion.hpp"
 #include "conversions.hpp"
+#include "places_maker.hpp"
 #include "pose_file.hpp"
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+std::vector<OptionDescription> optionsInEffect(const Parameters& parameters) {
+  std::vector<OptionDescription> all = describe(parameters.read<NodeOptions>());
+  const auto others = Localizer(parameters, trialMap()).effectiveOptions();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+std::string textOf(const std::vector<OptionDescription>& options) {
+  std::string text;
+  for (const auto& row : options) text += "\n  " + row.key + ": " + toText(row.value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<OptionDescription> changedOptions(const Parameters& parameters) {
+  Parameters defaults;
+  for (const char* key : {"filter", "preset", "plugins"}) {
+    const auto given = parameters.values().find(key);
+    if (given != parameters.values().end()) defaults.set(key, given->second);
+  }
+  std::map<std::string, OptionValue> values;
+  for (const auto& row : optionsInEffect(withCacheDir(defaults))) values[row.key] = row.value;
+  for (const auto& row : describe(LocalizerOptions{})) {
+    if (defaults.has(row.key)) values[row.key] = row.value;
+  }
+  std::vector<OptionDescription> changed;
+  for (const auto& row : optionsInEffect(parameters)) {
+    if (row.value != values[row.key]) changed.push_back(row);
+  }
+  return changed;
+}
 
 NodeOptions readNodeOptions(const Parameters& parameters) {
   auto options = parameters.read<NodeOptions>();
@@ -18,14 +55,16 @@ NodeOptions readNodeOptions(const Parameters& parameters) {
     *frame = withoutLeadingSlash(*frame);
   }
   const Localizer localizer(parameters, trialMap());
-  reportUnknown(localizer.unknownKeys());
-  std::string text;
-  const auto append = [&text](const std::vector<OptionDescription>& rows) {
-    for (const auto& row : rows) text += "\n  " + row.key + ": " + toText(row.value);
-  };
-  append(describe(options));
-  append(localizer.effectiveOptions());
-  ROS_INFO("Options in effect:%s", text.c_str());
+  std::vector<std::string> known = keysOf(describe(options));
+  for (const auto& key : keysOf(localizer.allOptions())) known.push_back(key);
+  reportUnknown(localizer.unknownKeys(), known);
+  const auto changed = changedOptions(parameters);
+  if (changed.empty()) {
+    ROS_INFO("All options have their defaults");
+  } else {
+    ROS_INFO("Options that differ from the defaults:%s", textOf(changed).c_str());
+  }
+  ROS_DEBUG_NAMED("options", "Options in effect:%s", textOf(optionsInEffect(parameters)).c_str());
   return options;
 }
 

@@ -113,8 +113,14 @@ inline std::shared_ptr<const OccupancyGrid> trialMap() {
                                                std::vector<std::int8_t>{0});
 }
 
-/// Reads the node's options and says all that are in effect. Makes a localizer on the trial map on
-/// the way, so that wrong parameters show at the start, not with the map.
+/// The options in effect of node and localizer whose values are others than what the core and the
+/// preset of these parameters run with if nothing else is given.
+/// Throws std::invalid_argument naming key, value and range.
+std::vector<OptionDescription> changedOptions(const Parameters& parameters);
+
+/// Reads the node's options and says which ones differ from the defaults; to the logger "options",
+/// at debug level, all of them. Makes a localizer on the trial map on the way, so that wrong
+/// parameters show at the start, not with the map.
 /// Throws std::invalid_argument naming key, value and range.
 NodeOptions readNodeOptions(const Parameters& parameters);
 

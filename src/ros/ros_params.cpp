@@ -4,45 +4,12 @@
 #include <ros/console.h>
 
 #include <cmath>
-#include <set>
+
+#include "adaptive_localization/suggestion.hpp"
+#include "amcl_keys.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-/// amcl's parameters that some filter, or the node at all, has no use for.
-const std::set<std::string>& amclKeys() {
-  static const std::set<std::string> keys{"bag_scan_period",
-                                          "beam_skip_distance",
-                                          "beam_skip_error_threshold",
-                                          "beam_skip_threshold",
-                                          "do_beamskip",
-                                          "gui_publish_rate",
-                                          "kld_err",
-                                          "kld_z",
-                                          "laser_lambda_short",
-                                          "laser_likelihood_max_dist",
-                                          "laser_max_beams",
-                                          "laser_model_type",
-                                          "laser_sigma_hit",
-                                          "laser_z_hit",
-                                          "laser_z_max",
-                                          "laser_z_rand",
-                                          "laser_z_short",
-                                          "max_particles",
-                                          "min_particles",
-                                          "odom_alpha1",
-                                          "odom_alpha2",
-                                          "odom_alpha3",
-                                          "odom_alpha4",
-                                          "odom_alpha5",
-                                          "odom_model_type",
-                                          "recovery_alpha_fast",
-                                          "recovery_alpha_slow",
-                                          "resample_interval",
-                                          "restore_defaults",
-                                          "selective_resampling"};
-  return keys;
-}
 
 bool isUnfinishedPose(const std::string& key, const OptionValue& value) {
   const auto* number = std::get_if<double>(&value);
@@ -86,13 +53,13 @@ Parameters readParameters(const ros::NodeHandle& node) {
   return parameters;
 }
 
-void reportUnknown(const std::vector<std::string>& keys) {
+void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::string>& known) {
   std::string unused;
   for (const auto& key : keys) {
     if (amclKeys().count(key)) {
       unused += " " + key;
     } else {
-      ROS_WARN("Unknown parameter '%s' is ignored", key.c_str());
+      ROS_WARN("Unknown parameter '%s' is ignored%s", key.c_str(), suggestion(key, known).c_str());
     }
   }
   if (!unused.empty()) ROS_INFO("Parameters of amcl that have no effect here:%s", unused.c_str());

@@ -13,7 +13,7 @@ namespace adaptive_localization {
 Parameters readParameters(const ros::NodeHandle& node);
 
 /// Says which given parameters have no effect: amcl's own that are not used in one line, others,
-/// perhaps misspelt, as warnings by name.
-void reportUnknown(const std::vector<std::string>& keys);
+/// perhaps misspelt, as warnings by name, with the known one that is nearest.
+void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::string>& known);
 
 }  // namespace adaptive_localization

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "adaptive_localization/suggestion.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
 #include "ros_params.hpp"
@@ -37,6 +38,12 @@ SimulatorNodeOptions readOptions(const Parameters& parameters) {
   return options;
 }
 
+std::vector<std::string> knownKeys() {
+  std::vector<std::string> keys = keysOf(describe(SimulatorNodeOptions{}));
+  for (const auto& key : keysOf(describe(SimulationOptions{}))) keys.push_back(key);
+  return keys;
+}
+
 nav_msgs::Odometry toMessage(const Pose2& pose, const Velocity& velocity) {
   nav_msgs::Odometry message;
   message.pose.pose = toPoseMessage(pose);
@@ -56,9 +63,7 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
       simulation_(Simulation::load(SimulationOptions::from(parameters))),
       epoch_(options_.publish_clock ? ros::Time(kClockEpoch) : ros::Time::now()),
       wall_epoch_(ros::WallTime::now()) {
-  for (const auto& key : parameters.unknownKeys()) {
-    ROS_WARN("Unknown parameter '%s' is ignored", key.c_str());
-  }
+  reportUnknown(parameters.unknownKeys(), knownKeys());
   if (options_.publish_clock) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
   odometry_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
   scan_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);

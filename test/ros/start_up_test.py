@@ -69,7 +69,40 @@ class StartUp(unittest.TestCase):
         self.assertIn("Parameter 'group' is a list or a group", output)
         self.assertIn("Parameter 'initial_pose_x' is NaN", output)
         self.assertEqual(output.count("WARN"), 4, output)
-        self.assertIn("kld_err: 0.05\n", output)
+        self.assertRegex(output, "kld_err: 0.05[\n\x1b]")  # the last option ends the message
+        self.assertIn("'laser_max_beans' is ignored; did you mean 'laser_max_beams'?", output)
+
+    def test_options_that_differ_from_the_defaults_are_said_and_others_if_asked(self):
+        code, output = self.run_until_it_waits()
+        self.assertEqual(code, 0, output)
+        self.assertIn("All options have their defaults", output)
+        self.assertNotIn("laser_max_beams", output)
+        code, output = self.run_until_it_waits("_laser_max_beams:=31")
+        self.assertRegex(output, "differ from the defaults:\n  laser_max_beams: 31\x1b")
+        code, output = self.run_until_it_waits("--verbose", "_laser_max_beams:=31")
+        self.assertEqual(code, 0, output)
+        self.assertRegex(output, "Options in effect:(\n  .*)*\n  laser_max_beams: 31")
+        self.assertIn("\n  update_min_d: 0.1\n", output)
+
+    def test_help_needs_no_master(self):
+        environment = dict(os.environ, ROS_MASTER_URI="http://localhost:1")
+        for name, word in [("adaptive_localization", "--run-from-bag BAG"),
+                           ("map_publisher", "MAP.yaml"), ("p3dx_simulator", "_world:=")]:
+            program = roslib.packages.find_node("adaptive_localization", name)[0]
+            for argument in ["--help", "-h"]:
+                done = subprocess.run([program, argument], env=environment, timeout=10,
+                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 0, name)
+                self.assertIn("usage: " + name, done.stdout.decode())
+                self.assertIn(word, done.stdout.decode())
+                self.assertEqual(done.stderr.decode(), "")
+
+    def test_arguments_that_the_simulator_does_not_know_are_refused(self):
+        program = roslib.packages.find_node("adaptive_localization", "p3dx_simulator")[0]
+        done = subprocess.run([program, "world.yaml"], timeout=10, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("unknown argument 'world.yaml'", done.stderr.decode())
 
     def test_floor_plan_anywhere_is_fine_until_there_is_a_map(self):
         with tempfile.NamedTemporaryFile(mode="w", suffix=".yaml") as plan:
