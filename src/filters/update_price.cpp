@@ -13,7 +13,7 @@ namespace {
 
 // In look-ups, of 0.45 ns each on a core of 3 GHz.
 constexpr double kRay = 500.0;       // a ray that is cast
-constexpr double kParticle = 300.0;  // to move, count and draw one, whatever the beams
+constexpr double kParticle = 500.0;  // to move, count and draw one, whatever the beams
 constexpr double kLimit = 5e9;       // 2.3 s; the default sizes with the beam model are within
 
 double perBeam(const std::string& model) {

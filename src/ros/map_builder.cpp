@@ -13,7 +13,7 @@ namespace adaptive_localization {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.02);
-constexpr double kBytesPerCell = 16.0;  // at the most, while a map is being built; measured
+constexpr double kBytesPerCell = 36.0;  // with all that is made of a map; measured
 
 /// Linux gives memory that it does not have, and kills who uses it: better to ask before.
 void checkMemory(const Lattice& lattice) {
@@ -28,8 +28,16 @@ void checkMemory(const Lattice& lattice) {
   throw std::invalid_argument(text.str());
 }
 
-BuiltMap built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
+/// A map that can be used, or an exception that says why it cannot be.
+std::shared_ptr<const OccupancyGrid> usableGrid(const nav_msgs::OccupancyGrid& message,
+                                                bool origin_is_cell_center) {
+  auto grid = std::make_shared<const OccupancyGrid>(toGrid(message, origin_is_cell_center));
+  if (grid->countFree() == 0) throw std::invalid_argument("map: got no free cell");
   checkMemory(grid->lattice());
+  return grid;
+}
+
+BuiltMap built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
   auto field = std::make_shared<const DistanceField>(*grid, stop);
   return {std::move(grid), std::move(field)};
 }
@@ -48,22 +56,21 @@ bool MapBuilder::build(const nav_msgs::OccupancyGrid& message, bool wait) {
     ROS_WARN("The map's frame is '%s', but global_frame_id is '%s'", frame.c_str(),
              options_.global_frame_id.c_str());
   }
-  const auto converted = outcomeOf([&]() -> Grid {
-    return std::make_shared<const OccupancyGrid>(
-        toGrid(message, options_.map_origin_is_cell_center));
-  });
-  if (!converted.value) return refuse(converted.error);
+  const auto grid =
+      outcomeOf([&] { return usableGrid(message, options_.map_origin_is_cell_center); });
+  if (!grid.value) return refuse(grid.error);
+  if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }))) return false;
   giveUp();
-  if (wait) return use(outcomeOf([&] { return built(*converted.value, {}); }));
+  if (wait) return true;
   if (running_.isRunning()) {
-    next_ = *converted.value;
+    next_ = *grid.value;
   } else {
-    start(*converted.value);
+    start(*grid.value);
   }
   return true;
 }
 
-/// What is being built is older than what came now.
+/// What is being built is older than what came now; a map that is refused gives up nothing.
 void MapBuilder::giveUp() {
   running_.stop();
   is_wanted_ = false;
