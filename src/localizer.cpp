@@ -155,6 +155,9 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     T_odom_base_at_update_ = T_odom_base;
     last_.T_map_odom = corrected(last_.T_map_odom * T_odom_base) * inverse(T_odom_base);
     update_requested_ = false;
+  } else if (is_unverified_ && ground_.places->isReadyFor(observations.scan)) {
+    checkWhatWasTold(motion, observations);  // a robot that stands still need not drive on for that
+    conclude();
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
@@ -173,11 +176,15 @@ void Localizer::updateFilter(const Pose2& motion, const Observations& observatio
     rivals_->observe({}, last_.estimate.T_map_base, observations);
   }
   relocalize();
+  conclude();
+  last_.updated = true;
+}
+
+void Localizer::conclude() {
   last_.status = judge();
   converged_ = converged_ || last_.status == Status::kTracking;
   last_.modes = rivals_->modes().empty() ? last_.estimate.modes : rivals_->modes();
   last_.confidence = confidence_->value() * rivals_->shareOf(last_.estimate.T_map_base);
-  last_.updated = true;
 }
 
 }  // namespace adaptive_localization

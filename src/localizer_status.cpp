@@ -54,10 +54,8 @@ std::string toText(Status status) {
   }
 }
 
-/// A scan that contradicts the map opens it too: a robot that was carried away stands still. So does
-/// the first one that can tell whether an initial pose is right.
+/// A scan that contradicts the map opens it too: a robot that was carried away stands still.
 bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
-  if (is_unverified_ && ground_.places->isReadyFor(observations.scan)) return true;
   if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
   if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
   return observations.scan.hits() > 0 &&
@@ -127,12 +125,12 @@ void Localizer::checkWhatWasTold(const Pose2& motion, const Observations& observ
 
 /// An initial pose is not "tracking" before a scan could contradict it.
 Status Localizer::judge() const {
-  if (is_unverified_) return Status::kGlobalizing;
   if (!rivals_->isSettled()) {
     const bool fits = confidence_->latestFit() >= kFoundFit;
     if (fits && rivals_->modes().size() > 1) return Status::kAmbiguous;
     return from_anywhere_ && !converged_ ? Status::kGlobalizing : Status::kLost;
   }
+  if (is_unverified_) return Status::kGlobalizing;
   const bool was_lost = last_.status == Status::kLost || !converged_;
   const double fit = was_lost ? confidence_->latestFit() : confidence_->fit();
   const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);

@@ -161,6 +161,7 @@ class Localizer {
   void relocalize();
   bool isDoubtful(const Pose2& T_map_base_expected) const;
   void checkWhatWasTold(const Pose2& motion, const Observations& observations);
+  void conclude();
   Status judge() const;
 
   FilterRegistry registry_;
