@@ -57,8 +57,8 @@ class BeamSums {
 int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                            const EnergyGridOptions& options) {
   constexpr double kSearchBytes = 2.0 * RangeTable::kStride / 16.0;  // see RangeBlocks
-  const double per_cell = RangeTable::kStride + sizeof(std::uint32_t) + kSearchBytes +
-                          sizeof(std::uint32_t) * orientationsFor(geometry, options);
+  const double per_cell = kSearchBytes + double{RangeTable::kStride} +
+                          double{sizeof(std::uint32_t)} * (1 + orientationsFor(geometry, options));
   const double needed = static_cast<double>(map.countFree()) * per_cell;
   const double limit = 1e6 * options.energy_grid_max_memory;
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(needed / limit))));
