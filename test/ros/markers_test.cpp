@@ -75,9 +75,11 @@ TEST_F(SerMarker, IsDeletedWhereTheRegionIsEmpty) {
   const double far = 9.99;
   Scan alien = scan_;
   alien.range.setConstant(static_cast<float>(far));
+  alien.view.range.setConstant(static_cast<float>(far));
   Scan blind = scan_;
   for (auto* column : {&blind.x, &blind.y, &blind.range, &blind.bearing}) column->resize(0);
   blind.no_return_bearing.resize(0);
+  blind.view.range.setConstant(std::nanf(""));
   for (const Scan& scan : {alien, blind}) {
     const Marker marker = make(scan);
     EXPECT_EQ(marker.action, Marker::DELETE);

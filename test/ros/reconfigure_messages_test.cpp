@@ -51,7 +51,7 @@ TEST(ReconfigureMessages, DescribeTypesRangesAndChoices) {
   const Values low = valuesOf(description.min), high = valuesOf(description.max);
   EXPECT_EQ(low.at("beams"), OptionValue{2});
   EXPECT_EQ(high.at("beams"), OptionValue{std::numeric_limits<int>::max()});
-  EXPECT_EQ(high.at("noise"), OptionValue{std::numeric_limits<double>::infinity()});
+  EXPECT_EQ(high.at("noise"), OptionValue{kNotNegative.high});
   EXPECT_EQ(valuesOf(description.dflt), valuesOf(toConfig(describe(Sample{}))));
 }
 

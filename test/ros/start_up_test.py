@@ -115,7 +115,7 @@ class StartUp(unittest.TestCase):
     def test_bad_parameters_are_one_fatal_line(self):
         for key, value, expected in [
                 ("laser_max_beams", "1", "'laser_max_beams': got '1', expected a whole number in"),
-                ("odom_alpha1", "-0.5", "'odom_alpha1': got '-0.5', expected a finite number >= 0"),
+                ("odom_alpha1", "-0.5", "'odom_alpha1': got '-0.5', expected a number in [0, 100]"),
                 ("laser_sigma_hit", ".nan", "'laser_sigma_hit': got 'nan', expected a number in"),
                 ("max_particles", "many", "'max_particles': got 'many', expected a whole number"),
                 ("filter", "magic", "'filter': got 'magic', expected one of"),
