@@ -80,7 +80,7 @@ class Parameters {
   template <class Options>
   Options read(Options options) const {
     options.visit([this](const std::string& key, auto& value, const auto&... about) {
-      readOne(key, value, about...);
+      this->readOne(key, value, about...);
     });
     return options;
   }

@@ -3,9 +3,23 @@
 
 #include <ros/console.h>
 
+#include <cmath>
+
+#include "adaptive_localization/options.hpp"
 #include "conversions.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+/// Within the ranges of initial_pose_* and initial_cov_*: it is kept there for the next start.
+bool isUsable(const Gaussian2& prior) {
+  const Eigen::Array3d variances = prior.covariance.diagonal();
+  return isFinite(prior.mean) && std::abs(prior.mean.x) <= kCoordinate.high &&
+         std::abs(prior.mean.y) <= kCoordinate.high && prior.covariance.allFinite() &&
+         variances.minCoeff() >= kVariance.low && variances.maxCoeff() <= kVariance.high;
+}
+
+}  // namespace
 
 std::optional<Gaussian2> readInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message,
                                          const std::string& map_frame, const Odometry& odometry) {
@@ -18,9 +32,12 @@ std::optional<Gaussian2> readInitialPose(const geometry_msgs::PoseWithCovariance
     return std::nullopt;
   }
   Gaussian2 prior = toGaussian(message.pose);
-  if (!isFinite(prior.mean) || !prior.covariance.allFinite() ||
-      prior.covariance.diagonal().minCoeff() < 0.0) {
-    ROS_WARN("Initial pose ignored: expected finite numbers and variances that are not negative");
+  if (!isUsable(prior)) {
+    ROS_WARN(
+        "Initial pose ignored: got (%g, %g) m with variances %g, %g, %g, expected numbers within "
+        "%g m and variances from %g to %g",
+        prior.mean.x, prior.mean.y, prior.covariance(0, 0), prior.covariance(1, 1),
+        prior.covariance(2, 2), kCoordinate.high, kVariance.low, kVariance.high);
     return std::nullopt;
   }
   std::string why;

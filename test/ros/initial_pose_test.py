@@ -11,7 +11,7 @@ from localization_case import LocalizationCase, initial_pose
 
 class InitialPose(LocalizationCase):
     def test_pose_is_taken_from_the_topic(self):
-        publisher = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)
+        publisher = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=10)
         self.wait_for(lambda: publisher.get_num_connections() > 0, "the node")
 
         self.wait_for(lambda: self.status() == "uninitialised", "status uninitialised")
@@ -21,6 +21,8 @@ class InitialPose(LocalizationCase):
         publisher.publish(initial_pose(0.8, 0.8, 1.57, frame="odom"))
         publisher.publish(initial_pose(float("nan"), 0.8, 1.57))
         publisher.publish(initial_pose(0.8, 0.8, 1.57, variances=(-1, 0, 0)))
+        publisher.publish(initial_pose(0.8, 0.8, 1.57, variances=(1e13, 0, 0)))
+        publisher.publish(initial_pose(1e300, 0.8, 1.57))
         self.wait_for_answers(2)
         self.assertEqual(self.status(), "uninitialised")
 
