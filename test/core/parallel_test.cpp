@@ -20,7 +20,7 @@ class ParallelFor : public testing::TestWithParam<int> {
 };
 
 TEST_P(ParallelFor, VisitsEveryIndexExactlyOnce) {
-  for (const std::size_t count : {0, 1, 63, 64, 65, 1000, 4096}) {
+  for (const std::size_t count : std::vector<std::size_t>{0, 1, 63, 64, 65, 1000, 4096}) {
     std::vector<std::atomic<int>> visits(count);
     parallelFor(count, 64, [&](const Chunk& chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) ++visits[i];

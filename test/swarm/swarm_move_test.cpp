@@ -161,7 +161,7 @@ TEST(Leaders, DivideTheBatsAsVoronoiCellsDo) {
 TEST(SwarmMoves, GiveTheSameForTheSameSeedAndAnotherForAnother) {
   const TestFunction function = ackley();
   for (const auto& [name, move] : allMoves()) {
-    const auto run = [&](std::uint64_t seed) {
+    const auto run = [&, &move = move](std::uint64_t seed) {
       Rng rng(seed);
       Swarm swarm(function.space(), spreadOver(function.space(), 60, rng), function);
       for (int t = 0; t < 30; ++t) move->step(swarm, function, rng);
