@@ -48,7 +48,9 @@ LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
 /// The description may have come after this node. A master that does not answer must not hold up
 /// the scans: true while its answer is awaited.
 bool LaserMounts::askAgain(Laser& laser) {
-  if (auto answer = asking_.poll()) robot_description_ = answer->value.value_or("");
+  if (const auto answer = asking_.poll(); answer && !answer->value.value_or("").empty()) {
+    robot_description_ = *answer->value;
+  }
   if (asking_.isRunning()) return true;
   if (std::exchange(laser.urdf_asked, true)) return false;
   asking_.start([node = node_](const StopToken&) { return readDescription(node); });
