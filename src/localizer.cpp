@@ -16,6 +16,12 @@ bool isUsable(const Particles& particles) {
          particles.theta.allFinite();
 }
 
+/// Plug-ins may answer anything.
+Estimate finite(Estimate estimate) {
+  if (isFinite(estimate.T_map_base)) return estimate;
+  throw std::runtime_error("the filter's estimate is not a finite pose");
+}
+
 }  // namespace
 
 Localizer::Localizer(const Parameters& parameters, std::shared_ptr<const OccupancyGrid> map,
@@ -165,7 +171,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
 
 void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
-  last_.estimate = filter_->update(motion, observations);
+  last_.estimate = finite(filter_->update(motion, observations));
   if (refiner_ && !filter_->match())
     last_.estimate = refiner_->refine(last_.estimate, motion, observations.scan);
   confidence_->observe(last_.estimate, observations);

@@ -68,7 +68,7 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
     for (const Pose2& move : moves) {
       const Pose2 moved{pose.x + move.x, pose.y + move.y, wrapAngle(pose.theta + move.theta)};
       const double value = cost(moved);
-      if (value >= best) continue;
+      if (!(value < best)) continue;  // nor what is no number
       best = value;
       pose = moved;
       better = true;

@@ -133,7 +133,7 @@ void Rivals::align(const PlaceRefiner& refiner, Hypothesis& hypothesis) const {
 /// Where the filter believes to be counts as well, once something is known, whether the search
 /// finds it or not.
 void Rivals::believe(const PlaceRefiner& refiner, const Pose2& T_map_base) {
-  if (hypotheses_.empty() || knows(T_map_base)) return;
+  if (hypotheses_.empty() || !isFinite(T_map_base) || knows(T_map_base)) return;
   Hypothesis believed{T_map_base, best() - kLateMalus, 0.0};
   align(refiner, believed);
   hypotheses_.push_back(believed);

@@ -12,4 +12,38 @@ extern "C" void adaptive_localization_register_filters_v1(
 void adaptive_localization_register_filters_v1(adaptive_localization::FilterRegistry&) {
   throw 42;
 }
+#elif BROKEN == 3  // its filter's estimate is not a number
+#include <limits>
+#include <memory>
+
+namespace {
+
+using namespace adaptive_localization;  // as a library of someone else would
+
+class Nowhere : public Filter {
+ public:
+  void reset(const Prior&) override {}
+  Estimate update(const Pose2&, const Observations&) override { return estimate(); }
+  Estimate estimate() const override {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    return {{kNaN, kNaN, kNaN}, Eigen::Matrix3d::Identity(), {}};
+  }
+  const Particles& hypotheses() const override { return particles_; }
+
+ private:
+  Particles particles_{1};
+};
+
+}  // namespace
+
+extern "C" void adaptive_localization_register_filters_v1(FilterRegistry& registry);
+void adaptive_localization_register_filters_v1(FilterRegistry& registry) {
+  registry.add(
+      {"nowhere",
+       "Lost.",
+       [](const FilterContext&) -> std::unique_ptr<Filter> { return std::make_unique<Nowhere>(); },
+       {},
+       {},
+       {}});
+}
 #endif

@@ -44,6 +44,16 @@ TEST(Plugin, IsRefusedByNameIfItsEntryPointIsNoFunctionOrThrowsAnything) {
   }
 }
 
+TEST(Plugin, IsNotBelievedThatTheRobotIsAtNoPlace) {
+  Parameters parameters;
+  parameters.set("plugins", OptionValue{std::string(BROKEN_PLUGIN_3)});
+  parameters.set("filter", OptionValue{std::string("nowhere")});
+  Localizer localizer(parameters, asymmetricWorld());
+  localizer.reset(Gaussian2{{1.0, 1.0, 0.0}, Eigen::Matrix3d::Identity()});
+  const Observations seen = ToyLaser{}.observe(asymmetricWorld(), {1.0, 1.0, 0.0});
+  EXPECT_THROW(localizer.update({}, seen), std::runtime_error);
+}
+
 TEST(Plugin, RunsInTheLocalizer) {
   Localizer localizer(withPlugin(), asymmetricWorld());
   EXPECT_THAT(localizer.unknownKeys(), IsEmpty());

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 
@@ -46,6 +48,21 @@ TEST(Rivals, AreRuledOutByOneScanWhereNothingLooksAlike) {
   judged.rivals.open();
   judged.see(truth, truth);
   EXPECT_TRUE(judged.rivals.isSettled());
+}
+
+/// It used to be fitted to the scan for ever, each step no worse than the one before.
+TEST(Rivals, DoNotTakeInABeliefThatIsNoPlace) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (const Pose2& nowhere : {Pose2{kNaN, 1.0, 0.0}, Pose2{1.0, 1.0, kNaN}}) {
+    Judged judged(symmetricWorld());
+    const Pose2 truth{1.0, 1.0, 0.3};
+    judged.rivals.open();
+    judged.see(truth, truth);
+    const std::size_t known = judged.rivals.modes().size();
+    EXPECT_GT(known, 1U);
+    for (int scan = 0; scan < 3; ++scan) judged.see(truth, nowhere);
+    EXPECT_EQ(judged.rivals.modes().size(), known);
+  }
 }
 
 TEST(Rivals, KnowBetterThanAFilterThatBelievesInAnotherPlace) {
