@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -30,8 +31,17 @@ constexpr auto kUsage =
 volatile std::sig_atomic_t stop_requested = 0;
 
 void onSignal(int signal) {
+  constexpr unsigned kPatience = 10;  // s, less than roslaunch has
   stop_requested = 1;
   std::signal(signal, SIG_DFL);  // a second one ends the process at once
+  alarm(kPatience);
+}
+
+/// roscpp takes its leave of the master, and waits long for one that does not answer.
+void onAlarm(int) {
+  constexpr char kText[] = "adaptive_localization: ended without the ROS master's answer\n";
+  [[maybe_unused]] const auto said = write(STDERR_FILENO, kText, sizeof(kText) - 1);
+  std::_Exit(EXIT_FAILURE);
 }
 
 /// Runs the node until a signal or the end of the bag.
@@ -92,6 +102,7 @@ int main(int argc, char** argv) {
   const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
+  std::signal(SIGALRM, onAlarm);
   try {
     run(bag, arguments);
   } catch (...) {

@@ -121,6 +121,16 @@ class MasterGone(unittest.TestCase):
         node.send_signal(signal.SIGINT)
         self.assertEqual(node.wait(AT_LAST), 0)
 
+    def test_node_ends_while_the_master_is_frozen(self):
+        """roscpp alone would wait for its answer."""
+        master = self.start_master()
+        node = self.start_robot()
+        master.send_signal(signal.SIGSTOP)
+        self.addCleanup(master.send_signal, signal.SIGCONT)
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(node.wait(AT_LAST), 1)
+        self.assertIn("ended without the ROS master's answer", self.said())
+
 
 if __name__ == "__main__":
     rostest.rosrun(PACKAGE, "master_gone", MasterGone, sys.argv)
