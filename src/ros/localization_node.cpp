@@ -175,6 +175,7 @@ bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
   const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
   response.success = pose && map_builder_.build(request.map, true);
   if (!response.success) return true;
+  maps_.stopAsking();
   start(*pose);
   update_again_ = options_.force_update_after_set_map;
   return true;

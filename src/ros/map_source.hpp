@@ -20,6 +20,9 @@ class MapSource {
   /// The topic or service it asks.
   const std::string& name() const { return name_; }
 
+  /// There is a map from elsewhere: asking for one waits for the master, and takes that one away.
+  void stopAsking() { timer_.stop(); }
+
  private:
   void onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map);
   void ask();

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A node that is started together with everything else warns of nothing: not of a map server or a
-laser's transform that come seconds later, nor of a pose that it was told to wait for."""
+laser's transform that come seconds later, nor of a pose that it was told to wait for. It takes the
+map that it is given first."""
 import os
 import subprocess
 import sys
@@ -12,7 +13,8 @@ import roslib.packages
 import rospy
 import rostest
 import tf2_ros
-from nav_msgs.srv import GetMap
+from localization_case import AT_LAST, initial_pose
+from nav_msgs.srv import GetMap, SetMap
 from sensor_msgs.msg import LaserScan
 from toy_robot import ToyRobotCase, room, transform
 
@@ -73,6 +75,19 @@ class QuietStart(unittest.TestCase):
         output = process.communicate(timeout=20)[0].decode()
         self.assertIn("waiting for an initial pose", output)
         self.assertNotIn("WARN", output)
+
+    def test_map_that_was_set_is_kept(self):
+        """Nobody is asked for another one: a master that does not answer would hold up the scans."""
+        process = self.start("_start:=wait")
+        rospy.wait_for_service("set_map", AT_LAST)
+        self.assertTrue(rospy.ServiceProxy("set_map", SetMap)(room(), initial_pose(1, 1, 0)).success)
+        asked = []
+        server = rospy.Service("static_map", GetMap, lambda request: asked.append(request) or room())
+        time.sleep(3.0)
+        server.shutdown()
+        process.terminate()
+        process.communicate(timeout=20)
+        self.assertEqual(asked, [])
 
     def test_what_stays_away_is_warned_of(self):
         timer = rospy.Timer(rospy.Duration(0.1), self.send)
