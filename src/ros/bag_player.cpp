@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "conversions.hpp"
+#include "transform_input.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -19,7 +20,7 @@ void addTransforms(const BagMessage& message, tf2_ros::Buffer& tf) {
     for (auto* frame : {&transform.header.frame_id, &transform.child_frame_id}) {
       *frame = withoutLeadingSlash(*frame);
     }
-    tf.setTransform(transform, "bag", message.is_fixed);
+    addTransform(transform, message.is_fixed, tf);
   }
 }
 

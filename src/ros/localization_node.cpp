@@ -49,7 +49,9 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
   const auto all = allOptions(parameters);
   if (localizer_) localizer_->configure(parameters);
   if (localizer_ && haveOtherPlaces(parameters, parameters_)) {
-    localizer_->setMap(map_.grid, map_.field, places_.make(map_, parameters));
+    const auto places = PlacesMaker::make(map_, parameters);
+    localizer_->setMap(map_.grid, map_.field, places);
+    places_.use(places);
   }
   parameters_ = parameters;
   options_ = liveOptions(parameters, options_);
@@ -58,13 +60,14 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
 }
 
 void LocalizationNode::onMap(const BuiltMap& map) {
-  const auto places = places_.make(map, parameters_);
+  const auto places = PlacesMaker::make(map, parameters_);
   if (localizer_) {
     localizer_->setMap(map.grid, map.field, places);
   } else {
     localizer_ = std::make_unique<Localizer>(parameters_, map.grid, map.field, places);
     if (prior_) start(*prior_);
   }
+  places_.use(places);
   map_ = map;
 }
 

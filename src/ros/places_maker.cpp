@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "callbacks.hpp"
 
@@ -41,18 +42,21 @@ PlacesMaker::PlacesMaker(ros::NodeHandle node) {
 }
 
 std::shared_ptr<Places> PlacesMaker::make(const BuiltMap& map, const Parameters& parameters) {
+  return std::make_shared<Places>(map.grid, map.field, parameters.read<EnergyGridOptions>(),
+                                  parameters.read<GlobalSearchOptions>(),
+                                  Places::Build::kInBackground);
+}
+
+void PlacesMaker::use(std::shared_ptr<Places> places) {
   if (places_ && places_->isBuilding()) {
     places_->stopBuilding();
     retired_.push_back(places_);
     timer_.start();
   }
-  places_ = std::make_shared<Places>(map.grid, map.field, parameters.read<EnergyGridOptions>(),
-                                     parameters.read<GlobalSearchOptions>(),
-                                     Places::Build::kInBackground);
+  places_ = std::move(places);
   known_ = nullptr;
   is_building_ = false;
   built_ = 0;
-  return places_;
 }
 
 void PlacesMaker::prepare(const Scan& scan) {

@@ -25,7 +25,11 @@ class PlacesMaker {
  public:
   explicit PlacesMaker(ros::NodeHandle node);
 
-  std::shared_ptr<Places> make(const BuiltMap& map, const Parameters& parameters);
+  /// The places of a map, to be used once the map is.
+  static std::shared_ptr<Places> make(const BuiltMap& map, const Parameters& parameters);
+
+  /// These are looked after from now on; a grid for others is no longer wanted.
+  void use(std::shared_ptr<Places> places);
 
   /// Has a grid built for the laser of this scan, so that it is there when it is needed: lasers
   /// whose geometry changes all the time get one only when somebody asks.

@@ -12,12 +12,19 @@ namespace {
 
 constexpr std::uint32_t kQueue = 100;
 
-void add(const geometry_msgs::TransformStamped& transform, bool fixed, tf2_ros::Buffer& buffer) {
-  if (!leavesRoom(transform.header.stamp)) throw std::runtime_error("its stamp is out of range");
-  buffer.setTransform(transform, "tf", fixed);
-}
-
 }  // namespace
+
+void addTransform(const geometry_msgs::TransformStamped& transform, bool fixed,
+                  tf2_ros::Buffer& buffer) {
+  const auto added = outcomeOf([&] {
+    if (!leavesRoom(transform.header.stamp)) throw std::runtime_error("its stamp is out of range");
+    return buffer.setTransform(transform, "tf", fixed);
+  });
+  if (added.value) return;
+  ROS_WARN_THROTTLE(5.0, "Transform from '%s' to '%s' ignored: %s",
+                    transform.child_frame_id.c_str(), transform.header.frame_id.c_str(),
+                    added.error.c_str());
+}
 
 TransformInput::TransformInput(tf2_ros::Buffer& buffer) : buffer_(buffer), thread_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
@@ -34,13 +41,7 @@ TransformInput::TransformInput(tf2_ros::Buffer& buffer) : buffer_(buffer), threa
 
 void TransformInput::onMessage(const tf2_msgs::TFMessage& message, bool fixed) {
   emptyAfterJump();
-  for (const auto& transform : message.transforms) {
-    const auto added = outcomeOf([&] { return add(transform, fixed, buffer_), true; });
-    if (added.value) continue;
-    ROS_WARN_THROTTLE(5.0, "Transform from '%s' to '%s' ignored: %s",
-                      transform.child_frame_id.c_str(), transform.header.frame_id.c_str(),
-                      added.error.c_str());
-  }
+  for (const auto& transform : message.transforms) addTransform(transform, fixed, buffer_);
 }
 
 void TransformInput::emptyAfterJump() {

@@ -8,10 +8,14 @@
 
 namespace adaptive_localization {
 
+/// Puts a transform into a buffer. One that tf2 throws at, which a stamp at the end of time makes
+/// it do, is left out, with a warning that names its frames.
+void addTransform(const geometry_msgs::TransformStamped& transform, bool fixed,
+                  tf2_ros::Buffer& buffer);
+
 /// Fills a tf buffer from /tf and /tf_static in a thread of its own, as tf2_ros's
-/// TransformListener does, which ends the process at a transform that tf2 throws at. Here such a
-/// transform is left out, with a warning that names its frames. When the clock jumps back, the
-/// buffer is emptied.
+/// TransformListener does, which ends the process at a transform that tf2 throws at. When the clock
+/// jumps back, the buffer is emptied.
 class TransformInput {
  public:
   explicit TransformInput(tf2_ros::Buffer& buffer);

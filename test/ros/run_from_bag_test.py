@@ -39,6 +39,8 @@ class RunFromBag(unittest.TestCase):
         odometry, motion = (0.0, 0.0, 0.0), (0.05, 0.0, 0.04)
         with rosbag.Bag(path, "w") as bag:
             fixed = transform("base_link", "laser", robot.MOUNT, robot.time)
+            stray = transform("base_link", "arm", robot.MOUNT, rospy.Time(2**32 - 1))  # ignored
+            bag.write(prefix + "tf", TFMessage([stray]), robot.time)
             for _ in range(60):
                 moving = transform("odom", "base_link", odometry, robot.time)
                 bag.write(prefix + "tf", TFMessage([moving]), robot.time)
