@@ -34,7 +34,9 @@ class SearchLaw : public testing::Test {
       auto& range = scan.range[k];
       const auto noisy = static_cast<int>(std::lround(range + rng_.normal(0.0, 1.5)));
       range = static_cast<std::int16_t>(std::clamp(noisy, 0, kNoReturn));
-      if (rng_.uniform() < wrong) range = static_cast<std::int16_t>(rng_.below(257)) - 1;
+      if (rng_.uniform() < wrong) {
+        range = static_cast<std::int16_t>(static_cast<int>(rng_.below(257)) - 1);
+      }
       scan.valid += range >= 0 ? 1 : 0;
     }
     return scan;

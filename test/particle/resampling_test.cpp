@@ -21,7 +21,9 @@ Eigen::ArrayXd column(std::initializer_list<double> values) {
 
 Eigen::ArrayXd randomWeights(Rng& rng, Eigen::Index count) {
   Eigen::ArrayXd weights(count);
-  for (auto& weight : weights) weight = rng.uniform() < 0.2 ? 0.0 : std::exp(rng.normal(0.0, 2.0));
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    weights[i] = rng.uniform() < 0.2 ? 0.0 : std::exp(rng.normal(0.0, 2.0));
+  }
   weights[0] += 1e-3;
   return weights / weights.sum();
 }
