@@ -101,8 +101,8 @@ TEST(Parameters, TakeANumberForAText) {
 TEST(Parameters, NameKeyValueAndRangeOfWhatTheyReject) {
   EXPECT_THAT(complaint("whole", "11"),
               AllOf(HasSubstr("'whole'"), HasSubstr("'11'"), HasSubstr("[1, 10]")));
-  EXPECT_THAT(complaint("real", "-0.1"),
-              AllOf(HasSubstr("'real'"), HasSubstr("-0.1"), HasSubstr("a number in [0, 1000000] m")));
+  EXPECT_THAT(complaint("real", "-0.1"), AllOf(HasSubstr("'real'"), HasSubstr("-0.1"),
+                                               HasSubstr("a number in [0, 1000000] m")));
   EXPECT_THAT(complaint("choice", "blue"),
               AllOf(HasSubstr("'choice'"), HasSubstr("blue"), HasSubstr("red, green")));
   EXPECT_THAT(complaint("truth", "maybe"), AllOf(HasSubstr("'truth'"), HasSubstr("maybe")));
