@@ -128,7 +128,7 @@ std::shared_ptr<const EnergyGrid> Places::energyGrid(const Scan& scan) {
 }
 
 bool Places::isReadyFor(const Scan& scan) {
-  return entryFor(scan) || failed_;
+  return entryFor(scan) || failed_ || !entries_.empty();
 }
 
 const std::vector<Place>& Places::search(const Observations& observations) {

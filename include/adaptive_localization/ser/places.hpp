@@ -36,7 +36,8 @@ class Places {
   /// being made and for a scan without hits. The answer to the same scan again is remembered.
   const std::vector<Place>& search(const Observations& observations);
 
-  /// Whether search() can tell of this scan: false while the grid for it is being made.
+  /// Whether search() tells as much of this scan as it will: false while the first grid is being
+  /// made. A laser whose mount turns all the time may never find one that is made for it.
   bool isReadyFor(const Scan& scan);
 
   /// Whether a grid is being made in the background.
