@@ -32,7 +32,7 @@ class People(LocalizationCase):
         begin = rospy.get_time()
         self.wait_for_answers(rospy.get_param("~seconds"))
         errors = self.errors(begin)
-        self.assertGreater(len(errors), 60)
+        self.assertGreater(len(errors), 60, self.heard(begin))
         print("largest error %.3f m, %.2f deg, mean %.3f m of %d poses" % (
             max(m for _, m, _ in errors), max(d for _, _, d in errors),
             sum(m for _, m, _ in errors) / len(errors), len(errors)))
@@ -55,6 +55,16 @@ class People(LocalizationCase):
         self.assertGreater(float(values["match inliers"]), 0.0)
         names = {s.name for array in self.diagnostics for s in array.status}
         self.assertIn("adaptive_localization: Match", names)
+
+    def heard(self, begin):
+        """What has come since, for a failure's message."""
+        stamps = {"poses": [pose[0] for pose in self.poses],
+                  "truths": [truth[0] for truth in self.truths],
+                  "statuses": [stamp_of(status) for status in self.statuses]}
+        return "since %.2f s, now %.2f s: %s" % (begin, rospy.get_time(), {
+            what: "%d in order: %s, since then %d, from %.2f to %.2f s" % (
+                len(s), s == sorted(s), sum(stamp >= begin for stamp in s), min(s), max(s))
+            for what, s in stamps.items()})
 
     def test_found_among_people_after_being_carried_and_from_anywhere(self):
         """At last, and not whether the node says before that it does not know: it may be right
