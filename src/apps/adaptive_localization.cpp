@@ -15,7 +15,7 @@
 #include "../ros/bag_player.hpp"
 #include "../ros/command_line.hpp"
 #include "../ros/localization_node.hpp"
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
 
 namespace {
 

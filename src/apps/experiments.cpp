@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
 #include "adaptive_localization/eval/experiment_command.hpp"
 #include "adaptive_localization/eval/experiment_file.hpp"
 #include "adaptive_localization/eval/experiment_plot.hpp"

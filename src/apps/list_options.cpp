@@ -16,7 +16,7 @@
 
 #include "../ros/node_options.hpp"
 #include "../ros/reconfigure_fields.hpp"
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
 namespace {

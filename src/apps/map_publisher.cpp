@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "../ros/command_line.hpp"
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
 
 namespace {
 

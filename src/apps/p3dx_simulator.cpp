@@ -4,7 +4,7 @@
 
 #include "../ros/command_line.hpp"
 #include "../ros/simulator_node.hpp"
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -11,7 +11,8 @@
 
 #include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
+#include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/eval/plot.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"
@@ -19,7 +20,6 @@
 #include "adaptive_localization/eval/search_run.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/suggestion.hpp"
 
 namespace adaptive_localization {
 namespace {

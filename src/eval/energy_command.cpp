@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "adaptive_localization/suggestion.hpp"
+#include "adaptive_localization/core/suggestion.hpp"
 
 namespace adaptive_localization {
 namespace {

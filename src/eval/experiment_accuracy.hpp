@@ -7,7 +7,7 @@
 #include "adaptive_localization/eval/error_bound.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/eval/experiment_summary.hpp"
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
 

@@ -6,7 +6,7 @@
 
 #include "adaptive_localization/eval/experiment.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
-#include "adaptive_localization/suggestion.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
@@ -32,7 +32,7 @@ std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const Exper
   Parameters parameters = core.parameters;
   parameters.set("seed", OptionValue(seed));
   parameters.set("threads", OptionValue(1));
-  return std::make_unique<Localizer>(parameters, site.map, site.distance_field);
+  return std::make_unique<Localizer>(parameters, site.ground);
 }
 
 Prior priorOf(const ExperimentCase& of_case, const Pose2& told) {
@@ -86,10 +86,9 @@ ExperimentSite loadSite(const ExperimentCase& of_case) {
   site.site = loadSite(of_case.world, options.furniture);
   site.free_space =
       std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
-  site.map = std::make_shared<const OccupancyGrid>(
+  site.ground = std::make_shared<const OccupancyGrid>(
       of_case.map.empty() ? rasterize(loadFloorPlan(of_case.world), kSurveyCell, kSurveyTurn)
                           : loadMap(of_case.map));
-  site.distance_field = std::make_shared<const DistanceField>(*site.map);
   return site;
 }
 

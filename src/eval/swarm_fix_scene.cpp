@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "swarm_fix_scene.hpp"
 
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"
@@ -101,9 +101,9 @@ SearchSpace SwarmFixScene::space(bool is_torus) const {
 FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles,
                                         std::uint64_t seed) const {
   FilterContext context;
-  context.map = map_;
-  context.distance_field = distance_field_;
-  context.places = places_;
+  context.ground.map = map_;
+  context.ground.field = distance_field_;
+  context.ground.places = places_;
   context.seed = seed;
   const FilterRegistry registry;
   for (const auto& [key, value] : registry.find(filter).recommended) {

@@ -4,7 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/filters/filter.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/ser/places.hpp"

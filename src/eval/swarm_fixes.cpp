@@ -7,7 +7,8 @@
 #include <numeric>
 
 #include "adaptive_localization/eval/metrics.hpp"
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/swarm/swarm_search.hpp"
 #include "swarm_fix_scene.hpp"
 
 namespace adaptive_localization {

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "adaptive_localization/eval/swarm_fixes.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "adaptive_localization/swarm/swarm_search.hpp"
 #include "adaptive_localization/swarm/test_functions.hpp"
 
 namespace adaptive_localization {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 

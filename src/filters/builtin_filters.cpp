@@ -23,7 +23,7 @@ std::unique_ptr<Exploration> makeKidnapTest(const FilterContext& context,
     for (const Place& place : places->search(observations)) poses.push_back(place.T_map_base);
     return poses;
   };
-  return kidnapTest(context.parameters.read<KidnapOptions>(), context.map, find);
+  return kidnapTest(context.parameters.read<KidnapOptions>(), context.ground.map, find);
 }
 
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
@@ -31,12 +31,13 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
   checkPriceOfUpdate(given);
   ParticleFilterParts parts;
   parts.motion = makeMotionModel(given.read<MotionOptions>());
-  parts.observation = makeObservationModel(given.read<ObservationOptions>(), context);
+  parts.observation = makeObservationModel(given.read<ObservationOptions>(), context.ground.map,
+                                           context.ground.field);
   const auto sizes = given.read<SampleSizeOptions>();
   parts.size = size == Size::kKld ? kldSampleSize(sizes) : fixedSampleSize(sizes);
   if (looks == Looks::kNowhere) {
     parts.exploration = noExploration();
-    parts.elsewhere = std::make_unique<FreeSpaceSampler>(context.map);
+    parts.elsewhere = std::make_unique<FreeSpaceSampler>(context.ground.map);
   } else {
     const auto places = placesFor(context);
     parts.elsewhere = makeSampler(context, places);
@@ -92,12 +93,12 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   const auto matching = given.read<MatchOptions>();
   std::unique_ptr<ScanMatcher> matcher;
   if (fixing.swarm_match) {
-    matcher = std::make_unique<ScanMatcher>(makeScanMatcher(matching, *context.map));
+    matcher = std::make_unique<ScanMatcher>(makeScanMatcher(matching, *context.ground.map));
   }
-  parts.fixer =
-      std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
-                                   given.read<EnergyGridOptions>().energy_max_range, context.map,
-                                   context.distance_field, places, std::move(matcher));
+  parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
+                                             given.read<EnergyGridOptions>().energy_max_range,
+                                             context.ground.map, context.ground.field, places,
+                                             std::move(matcher));
   parts.elsewhere = makeSampler(context, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/ser/places.hpp"
-#include "pose_kalman.hpp"
+#include "match/pose_kalman.hpp"
 
 namespace adaptive_localization {
 

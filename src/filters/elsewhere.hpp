@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
 
 namespace adaptive_localization {

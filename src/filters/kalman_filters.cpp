@@ -20,12 +20,12 @@ MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& conte
       return matcher.match(guess, scan, prior);
     };
   };
-  if (landmarks == "hits") return matching(makeScanMatcher(options, *context.map));
+  if (landmarks == "hits") return matching(makeScanMatcher(options, *context.ground.map));
   if (options.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matching(LineMatcher(lines, loadLineMap(options.line_map, context.map->lattice())));
+  return matching(LineMatcher(lines, loadLineMap(options.line_map, context.ground.map->lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
@@ -33,7 +33,7 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const auto options = given.read<EkfOptions>();
   EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
                  makeMatchScan(options.ekf_landmarks, context), placesFor(context),
-                 std::make_unique<FreeSpaceSampler>(context.map)};
+                 std::make_unique<FreeSpaceSampler>(context.ground.map)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }
 

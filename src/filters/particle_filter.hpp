@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/exploration.hpp"

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 

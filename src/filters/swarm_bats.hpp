@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 
 namespace adaptive_localization {

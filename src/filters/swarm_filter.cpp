@@ -9,7 +9,7 @@
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
-#include "pose_kalman.hpp"
+#include "match/pose_kalman.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,11 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/particle/usual_error.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
 

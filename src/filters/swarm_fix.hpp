@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/ser/places.hpp"
 #include "adaptive_localization/swarm/field_objective.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "adaptive_localization/swarm/swarm_search.hpp"
 #include "swarm_price.hpp"
 
 namespace adaptive_localization {

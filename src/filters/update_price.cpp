@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/sample_size.hpp"
-#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 namespace {

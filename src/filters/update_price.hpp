@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 

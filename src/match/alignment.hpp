@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/match/match.hpp"
 #include "outliers.hpp"
 
 namespace adaptive_localization {

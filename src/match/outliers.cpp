@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 namespace {

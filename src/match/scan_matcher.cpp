@@ -39,27 +39,6 @@ void makeIndependent(const Match::Square& covariance, Match& match) {
 
 }  // namespace
 
-std::string toText(MatchFault fault) {
-  switch (fault) {
-    case MatchFault::kNoGuess:
-      return "not known from where to match";
-    case MatchFault::kFewHits:
-      return "too few hits";
-    case MatchFault::kOutliers:
-      return "too many hits are not of the map";
-    case MatchFault::kSingular:
-      return "the scan tells of no direction";
-    case MatchFault::kJump:
-      return "too far from where odometry says";
-    default:
-      return "none";
-  }
-}
-
-Eigen::Matrix3d Match::information() const {
-  return H.transpose() * variance.cwiseInverse().asDiagonal() * H;
-}
-
 ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const SurfaceMap> surfaces)
     : options_(options), surfaces_(std::move(surfaces)) {
   if (options_.match_reach >= options_.match_reach_end) return;

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "adaptive_localization/match/surface_map.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/match/surface.hpp"
 
 namespace adaptive_localization {
 

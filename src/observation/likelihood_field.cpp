@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "adaptive_localization/pose_bins.hpp"
+#include "adaptive_localization/core/pose_bins.hpp"
 #include "score_field.hpp"
 
 namespace adaptive_localization {

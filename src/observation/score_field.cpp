@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 #include "field_kernel.hpp"
 
 namespace adaptive_localization {

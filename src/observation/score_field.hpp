@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 

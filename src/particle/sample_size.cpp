@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "adaptive_localization/pose_bins.hpp"
+#include "adaptive_localization/core/pose_bins.hpp"
 
 namespace adaptive_localization {
 namespace {

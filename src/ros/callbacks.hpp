@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "adaptive_localization/error_text.hpp"
+#include "adaptive_localization/core/error_text.hpp"
 
 namespace adaptive_localization {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

@@ -10,11 +10,11 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/pose2.hpp"
-#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 

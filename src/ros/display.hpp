@@ -3,7 +3,7 @@
 
 #include <ros/ros.h>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {

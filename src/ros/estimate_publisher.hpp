@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "node_options.hpp"
 #include "scan_source.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "conversions.hpp"
 
 namespace adaptive_localization {

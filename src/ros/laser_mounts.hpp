@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/background.hpp"
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/background.hpp"
+#include "adaptive_localization/core/scan.hpp"
 
 namespace adaptive_localization {
 

@@ -36,7 +36,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           node, "set_map",
           [this](auto& request, auto& response) { return onSetMap(request, response); })),
       places_(node),
-      map_builder_(node, options_, [this](const BuiltMap& map) { onMap(map); }),
+      map_builder_(node, options_, [this](const Ground& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
             [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
       diagnostics_(node, options_, [this] { return health(); }),
@@ -50,7 +50,7 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
   if (localizer_) localizer_->configure(parameters);
   if (localizer_ && haveOtherPlaces(parameters, parameters_)) {
     const auto places = PlacesMaker::make(map_, parameters);
-    localizer_->setMap(map_.grid, map_.field, places);
+    localizer_->setMap({map_.map, map_.field, places});
     places_.use(places);
   }
   parameters_ = parameters;
@@ -59,12 +59,12 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
   return all;
 }
 
-void LocalizationNode::onMap(const BuiltMap& map) {
+void LocalizationNode::onMap(const Ground& map) {
   const auto places = PlacesMaker::make(map, parameters_);
   if (localizer_) {
-    localizer_->setMap(map.grid, map.field, places);
+    localizer_->setMap({map.map, map.field, places});
   } else {
-    localizer_ = std::make_unique<Localizer>(parameters_, map.grid, map.field, places);
+    localizer_ = std::make_unique<Localizer>(parameters_, Ground(map.map, map.field, places));
     if (prior_) start(*prior_);
   }
   places_.use(places);

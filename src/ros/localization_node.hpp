@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "continuity.hpp"
 #include "display.hpp"
 #include "estimate_publisher.hpp"
@@ -47,7 +47,7 @@ class LocalizationNode {
  private:
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
-  void onMap(const BuiltMap& map);
+  void onMap(const Ground& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
@@ -62,7 +62,7 @@ class LocalizationNode {
 
   Parameters parameters_;
   NodeOptions options_;
-  BuiltMap map_;
+  Ground map_;
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
   std::optional<Localization> answer_;    // to the last scan

@@ -45,7 +45,7 @@ std::shared_ptr<const OccupancyGrid> usableGrid(const nav_msgs::OccupancyGrid& m
   return grid;
 }
 
-BuiltMap built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
+Ground built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
   auto field = std::make_shared<const DistanceField>(*grid, stop);
   return {std::move(grid), std::move(field)};
 }
@@ -100,11 +100,11 @@ void MapBuilder::poll() {
   if (std::exchange(is_wanted_, false)) use(*map);
 }
 
-bool MapBuilder::use(const Outcome<BuiltMap>& map) {
+bool MapBuilder::use(const Outcome<Ground>& map) {
   if (!map.value) return refuse(map.error);
   const auto used = outcomeOf([&] { return user_(*map.value), true; });
   if (!used.value) return refuse(used.error);
-  const Lattice& lattice = map.value->grid->lattice();
+  const Lattice& lattice = map.value->map->lattice();
   ROS_INFO("Map of %d x %d cells of %.3f m", lattice.width(), lattice.height(),
            lattice.resolution());
   return true;

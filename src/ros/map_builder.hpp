@@ -7,24 +7,18 @@
 #include <functional>
 #include <memory>
 
-#include "adaptive_localization/background.hpp"
-#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/core/background.hpp"
+#include "adaptive_localization/ser/ground.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {
-
-/// A map ready for use.
-struct BuiltMap {
-  std::shared_ptr<const OccupancyGrid> grid;
-  std::shared_ptr<const DistanceField> field;
-};
 
 /// Makes maps from messages. What takes long on a huge map can be done in a thread of its own,
 /// while scans are used and transforms sent as before.
 class MapBuilder {
  public:
   /// Takes a map, in ROS's thread; throws std::invalid_argument if it cannot be used.
-  using User = std::function<void(const BuiltMap&)>;
+  using User = std::function<void(const Ground&)>;
 
   MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user);
 
@@ -35,7 +29,7 @@ class MapBuilder {
 
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;
-  bool use(const Outcome<BuiltMap>& map);
+  bool use(const Outcome<Ground>& map);
   bool refuse(const std::string& why) const;
   void giveUp();
   void start(Grid grid);
@@ -43,7 +37,7 @@ class MapBuilder {
 
   const NodeOptions& options_;
   User user_;
-  Background<BuiltMap> running_;
+  Background<Ground> running_;
   bool is_wanted_{false};  // what is running
   Grid next_;              // came while another was being built
   ros::WallTimer timer_;

@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "adaptive_localization/localizer.hpp"
-#include "adaptive_localization/suggestion.hpp"
+#include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "conversions.hpp"
 #include "places_maker.hpp"
 #include "pose_file.hpp"

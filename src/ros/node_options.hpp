@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/options.hpp"
 
 namespace adaptive_localization {
 

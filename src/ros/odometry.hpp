@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
 
 namespace adaptive_localization {
 

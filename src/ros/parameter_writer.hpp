@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 

@@ -41,8 +41,8 @@ PlacesMaker::PlacesMaker(ros::NodeHandle node) {
       node, kPollPeriod, "Energy grid", [this] { poll(); }, false);
 }
 
-std::shared_ptr<Places> PlacesMaker::make(const BuiltMap& map, const Parameters& parameters) {
-  return std::make_shared<Places>(map.grid, map.field, parameters.read<EnergyGridOptions>(),
+std::shared_ptr<Places> PlacesMaker::make(const Ground& map, const Parameters& parameters) {
+  return std::make_shared<Places>(map.map, map.field, parameters.read<EnergyGridOptions>(),
                                   parameters.read<GlobalSearchOptions>(),
                                   Places::Build::kInBackground);
 }

@@ -26,7 +26,7 @@ class PlacesMaker {
   explicit PlacesMaker(ros::NodeHandle node);
 
   /// The places of a map, to be used once the map is.
-  static std::shared_ptr<Places> make(const BuiltMap& map, const Parameters& parameters);
+  static std::shared_ptr<Places> make(const Ground& map, const Parameters& parameters);
 
   /// These are looked after from now on; a grid for others is no longer wanted.
   void use(std::shared_ptr<Places> places);

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 namespace {

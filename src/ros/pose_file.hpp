@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
 
 namespace adaptive_localization {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
 #include "parameter_writer.hpp"
 
 namespace adaptive_localization {

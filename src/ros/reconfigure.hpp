@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "parameter_writer.hpp"
 #include "reconfigure_messages.hpp"
 

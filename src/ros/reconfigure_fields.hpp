@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/suggestion.hpp"
+#include "adaptive_localization/core/suggestion.hpp"
 #include "amcl_keys.hpp"
 
 namespace adaptive_localization {

@@ -3,7 +3,7 @@
 
 #include <ros/node_handle.h>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 

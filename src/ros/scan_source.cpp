@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/background.hpp"
+#include "adaptive_localization/core/background.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
 #include "stamps.hpp"

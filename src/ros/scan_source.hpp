@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "continuity.hpp"
 #include "laser_mounts.hpp"
 #include "node_options.hpp"

@@ -4,7 +4,7 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/Marker.h>
 
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
 
 namespace adaptive_localization {

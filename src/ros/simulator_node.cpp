@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adaptive_localization/suggestion.hpp"
+#include "adaptive_localization/core/suggestion.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
 #include "ros_params.hpp"

@@ -4,7 +4,7 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 
 namespace adaptive_localization {

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "adaptive_localization/background.hpp"
+#include "adaptive_localization/core/background.hpp"
 #include "callbacks.hpp"
 #include "stamps.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

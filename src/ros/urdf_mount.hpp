@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
 
 namespace adaptive_localization {
 

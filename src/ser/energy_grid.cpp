@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -56,8 +56,8 @@ class BeamSums {
 
 int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                            const EnergyGridOptions& options) {
-  constexpr double kSearchBytes = 2.0 * RangeTable::kStride / 16.0;  // see RangeBlocks
-  const double per_cell = kSearchBytes + double{RangeTable::kStride} +
+  constexpr double kSearchBytes = 2.0 * kRangeStride / 16.0;  // see RangeBlocks
+  const double per_cell = kSearchBytes + double{kRangeStride} +
                           double{sizeof(std::uint32_t)} * (1 + orientationsFor(geometry, options));
   const double needed = static_cast<double>(map.countFree()) * per_cell;
   const double limit = 1e6 * options.energy_grid_max_memory;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 #include "place_refiner.hpp"
 #include "range_blocks.hpp"
 #include "range_kernel.hpp"
@@ -90,7 +90,7 @@ int GlobalSearch::truncation() const {
 }
 
 int GlobalSearch::steps(double error, const DirectionalScan& scan) const {
-  const double worst = static_cast<double>(RangeTable::kStride) * kNoReturn;
+  const double worst = static_cast<double>(kRangeStride) * kNoReturn;
   const double steps = std::ceil(error * scan.valid / grid_->ranges().metresPerStep());
   return static_cast<int>(std::min(steps, worst));
 }

@@ -103,7 +103,7 @@ void GridCache::write(const std::string& file, std::uint64_t key,
 
 std::shared_ptr<const RangeTable> GridCache::readRanges(const std::string& file, std::uint64_t key,
                                                         double max_range, int spacing) const {
-  constexpr std::size_t kBytesPerCell = sizeof(std::uint32_t) + RangeTable::kStride;
+  constexpr std::size_t kBytesPerCell = sizeof(std::uint32_t) + kRangeStride;
   const ArrayFile arrays(file, key, sizeof(std::int32_t) + map_.countFree() * kBytesPerCell);
   const auto made_with = arrays.array<std::int32_t>(0);
   std::shared_ptr<RangeTable> table(new RangeTable(map_.lattice()));
@@ -113,9 +113,10 @@ std::shared_ptr<const RangeTable> GridCache::readRanges(const std::string& file,
   table->ranges_ = arrays.array<std::uint8_t>(2);
   const bool is_right = made_with.size() == 1 && made_with[0] >= 1 && made_with[0] <= spacing &&
                         areCellsOf(map_, made_with[0], table->cells_) &&
-                        table->ranges_.size() == table->size() * RangeTable::kStride;
+                        table->ranges_.size() == table->size() * kRangeStride;
   if (!is_right) reject(file);
-  table->blocks_ = std::make_shared<const RangeBlocks>(*table);
+  table->blocks_ = std::make_shared<const RangeBlocks>(table->lattice_, table->spacing_,
+                                                       table->cells_, table->ranges_);
   return table;
 }
 

@@ -15,21 +15,6 @@ Eigen::Index strideFor(Eigen::Index beams) {
 
 }  // namespace
 
-bool areSamePlace(const Pose2& a, const Pose2& b) {
-  return distance(a, b) < 0.5 && std::abs(wrapAngle(a.theta - b.theta)) < kPi / 9.0;
-}
-
-std::vector<Place> distinctPlaces(const std::vector<Place>& places) {
-  std::vector<Place> distinct;
-  for (const Place& place : places) {
-    const auto isSame = [&](const Place& other) {
-      return areSamePlace(place.T_map_base, other.T_map_base);
-    };
-    if (std::none_of(distinct.begin(), distinct.end(), isSame)) distinct.push_back(place);
-  }
-  return distinct;
-}
-
 PlaceRefiner::PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
                            const Scan& scan, double max_range, double truncation)
     : ray_caster_(std::move(map)),

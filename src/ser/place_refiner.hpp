@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/place.hpp"
+#include "adaptive_localization/ser/scan_energy.hpp"
 
 namespace adaptive_localization {
-
-/// The first of each group of places that are one.
-std::vector<Place> distinctPlaces(const std::vector<Place>& places);
 
 /// Moves a pose to where the scan fits the map best nearby, and judges it by exact ranges.
 class PlaceRefiner {

@@ -4,21 +4,22 @@
 #include <algorithm>
 #include <numeric>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 
 namespace adaptive_localization {
 
-RangeBlocks::RangeBlocks(const RangeTable& table) {
-  const int side = kSide * table.spacing();
-  const auto blocks_per_row =
-      static_cast<std::uint32_t>((table.lattice().width() + side - 1) / side);
-  std::vector<std::uint32_t> block_of(table.size());
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const Cell cell = table.cell(i);
+RangeBlocks::RangeBlocks(const Lattice& lattice, int spacing,
+                         const ConstArray<std::uint32_t>& cells,
+                         const ConstArray<std::uint8_t>& ranges) {
+  const int side = kSide * spacing;
+  const auto blocks_per_row = static_cast<std::uint32_t>((lattice.width() + side - 1) / side);
+  std::vector<std::uint32_t> block_of(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = lattice.cell(cells[i]);
     block_of[i] = static_cast<std::uint32_t>(cell.y / side) * blocks_per_row +
                   static_cast<std::uint32_t>(cell.x / side);
   }
-  cells_.resize(table.size());
+  cells_.resize(cells.size());
   std::iota(cells_.begin(), cells_.end(), 0U);
   std::stable_sort(cells_.begin(), cells_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return block_of[a] < block_of[b]; });
@@ -27,17 +28,17 @@ RangeBlocks::RangeBlocks(const RangeTable& table) {
   }
   starts_.push_back(static_cast<std::uint32_t>(cells_.size()));
 
-  low_.assign(size() * RangeTable::kStride, kNoReturn);
-  high_.assign(size() * RangeTable::kStride, 0);
+  low_.assign(size() * kRangeStride, kNoReturn);
+  high_.assign(size() * kRangeStride, 0);
   parallelFor(size(), 256, [&](const Chunk& chunk) {
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
-      std::uint8_t* low = low_.data() + b * RangeTable::kStride;
-      std::uint8_t* high = high_.data() + b * RangeTable::kStride;
+      std::uint8_t* low = low_.data() + b * kRangeStride;
+      std::uint8_t* high = high_.data() + b * kRangeStride;
       for (const std::uint32_t* cell = begin(b); cell != end(b); ++cell) {
-        const std::uint8_t* ranges = table.ranges(*cell);
-        for (std::size_t d = 0; d < RangeTable::kStride; ++d) {
-          low[d] = std::min(low[d], ranges[d]);
-          high[d] = std::max(high[d], ranges[d]);
+        const std::uint8_t* row = ranges.data() + *cell * kRangeStride;
+        for (std::size_t d = 0; d < kRangeStride; ++d) {
+          low[d] = std::min(low[d], row[d]);
+          high[d] = std::max(high[d], row[d]);
         }
       }
     }

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "adaptive_localization/ser/range_table.hpp"
+#include "adaptive_localization/map/lattice.hpp"
+#include "adaptive_localization/ser/const_array.hpp"
+#include "adaptive_localization/ser/scan_energy.hpp"
 
 namespace adaptive_localization {
 
@@ -15,7 +17,9 @@ class RangeBlocks {
  public:
   static constexpr int kSide = 4;  // cells
 
-  explicit RangeBlocks(const RangeTable& table);
+  /// Of every `spacing`-th cell of a lattice, by their indices, each with a row of ranges.
+  RangeBlocks(const Lattice& lattice, int spacing, const ConstArray<std::uint32_t>& cells,
+              const ConstArray<std::uint8_t>& ranges);
 
   std::size_t size() const { return starts_.size() - 1; }
   const std::uint8_t* low(std::size_t block) const { return at(low_, block); }
@@ -29,7 +33,7 @@ class RangeBlocks {
 
  private:
   static const std::uint8_t* at(const std::vector<std::uint8_t>& ranges, std::size_t block) {
-    return ranges.data() + block * RangeTable::kStride;
+    return ranges.data() + block * kRangeStride;
   }
 
   std::vector<std::uint32_t> cells_;   // block by block

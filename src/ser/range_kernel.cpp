@@ -11,7 +11,7 @@
 
 namespace adaptive_localization {
 
-constexpr int kBytes = static_cast<int>(RangeTable::kStride);
+constexpr int kBytes = static_cast<int>(kRangeStride);
 
 int sumOfDistancesPortable(const std::uint8_t* a_low, const std::uint8_t* a_high,
                            const std::uint8_t* b_low, const std::uint8_t* b_high, int truncation) {
@@ -26,7 +26,7 @@ int sumOfDistancesPortable(const std::uint8_t* a_low, const std::uint8_t* a_high
 #if defined(__x86_64__)
 namespace {
 
-static_assert(RangeTable::kStride % 32 == 0, "whole vectors");
+static_assert(kRangeStride % 32 == 0, "whole vectors");
 
 __attribute__((target("avx2"))) inline __m256i load(const std::uint8_t* at) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 #include "range_blocks.hpp"
 #include "sweep.hpp"
 
@@ -77,7 +77,7 @@ class RangeTableBuilder {
       }
     }
     if (cells.empty()) return;
-    ranges.assign(cells.size() * RangeTable::kStride, 0);
+    ranges.assign(cells.size() * kRangeStride, 0);
     for (const bool x_is_faster : {true, false}) {
       sweepAll(x_is_faster, ranges.data(), stop, progress);
     }
@@ -171,7 +171,7 @@ class RangeTableBuilder {
       if (number == kNoCell) continue;
       const std::size_t c = cells.count++;
       cells.place[c] = v;
-      cells.row[c] = number * RangeTable::kStride;
+      cells.row[c] = number * kRangeStride;
     }
     return cells;
   }
@@ -203,7 +203,7 @@ RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,
   cells_ = ConstArray<std::uint32_t>(std::move(cells));
   ranges_ = ConstArray<std::uint8_t>(std::move(ranges));
   stop.check();
-  blocks_ = std::make_shared<const RangeBlocks>(*this);
+  blocks_ = std::make_shared<const RangeBlocks>(lattice_, spacing_, cells_, ranges_);
 }
 
 std::size_t RangeTable::bytes() const {

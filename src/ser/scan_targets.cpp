@@ -7,8 +7,8 @@ namespace adaptive_localization {
 
 ScanTargets::ScanTargets(const DirectionalScan& scan, int headings)
     : headings_(headings),
-      low_(static_cast<std::size_t>(size()) * RangeTable::kStride, 0),
-      high_(static_cast<std::size_t>(size()) * RangeTable::kStride, kNoReturn) {
+      low_(static_cast<std::size_t>(size()) * kRangeStride, 0),
+      high_(static_cast<std::size_t>(size()) * kRangeStride, kNoReturn) {
   for (int group = 0; group < size(); ++group) {
     for (int d = 0; d < kDirections; ++d) {
       std::int16_t low = kNoReturn;
@@ -20,7 +20,7 @@ ScanTargets::ScanTargets(const DirectionalScan& scan, int headings)
         high = std::max<std::int16_t>(high, range < 0 ? std::int16_t{kNoReturn} : range);
       }
       const std::size_t i =
-          static_cast<std::size_t>(group) * RangeTable::kStride + static_cast<std::size_t>(d);
+          static_cast<std::size_t>(group) * kRangeStride + static_cast<std::size_t>(d);
       low_[i] = static_cast<std::uint8_t>(low);
       high_[i] = static_cast<std::uint8_t>(high);
     }

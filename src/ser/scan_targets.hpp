@@ -23,7 +23,7 @@ class ScanTargets {
 
  private:
   static const std::uint8_t* at(const std::vector<std::uint8_t>& ranges, int group) {
-    return ranges.data() + static_cast<std::size_t>(group) * RangeTable::kStride;
+    return ranges.data() + static_cast<std::size_t>(group) * kRangeStride;
   }
 
   int headings_;

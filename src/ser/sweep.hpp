@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "adaptive_localization/core/stop_token.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/stop_token.hpp"
 
 namespace adaptive_localization {
 

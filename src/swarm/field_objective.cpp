@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 
 namespace adaptive_localization {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

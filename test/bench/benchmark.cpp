@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
-#include "adaptive_localization/parallel.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "heap_meter.hpp"
 #include "measure.hpp"
@@ -27,13 +27,12 @@ const std::shared_ptr<const OccupancyGrid>& building() {
 
 FilterContext contextFor(const std::shared_ptr<const OccupancyGrid>& map) {
   FilterContext context;
-  context.map = map;
-  context.distance_field = std::make_shared<const DistanceField>(*map);
+  context.ground = map;
   return context;
 }
 
 void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) {
-  const PlainField field(*contextFor(building()).distance_field);
+  const PlainField field(*contextFor(building()).ground.field);
   const Observations observations = observe(building(), kTruth, beams);
   auto samples = PlainField::samplesOf(spread(kind, particles, building()));
   for (auto _ : state) {
@@ -48,7 +47,7 @@ void score(benchmark::State& state, const std::string& name, int particles, int 
            Spread kind) {
   ObservationOptions options;
   options.laser_model_type = name;
-  const auto model = makeObservationModel(options, contextFor(building()));
+  const auto model = makeObservationModel(options, building(), contextFor(building()).ground.field);
   const Observations observations = observe(building(), kTruth, beams);
   const Particles cloud = spread(kind, particles, building());
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles);
@@ -101,7 +100,8 @@ void distanceField(benchmark::State& state, int side) {
 
   const HeapMeter heap;  // what a running filter holds for each cell of the map
   const FilterContext context = contextFor(toyBuilding(side));
-  const auto model = makeObservationModel(ObservationOptions{}, context);
+  const auto model =
+      makeObservationModel(ObservationOptions{}, context.ground.map, context.ground.field);
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(1);
   model->score(observe(map, kTruth, 60), Particles(1), log_likelihood);
   state.counters["bytes_per_cell"] =

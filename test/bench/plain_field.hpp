@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/observations.hpp"
-#include "adaptive_localization/particles.hpp"
 
 namespace adaptive_localization {
 

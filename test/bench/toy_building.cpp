@@ -3,9 +3,9 @@
 
 #include <stdexcept>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/rng.hpp"
 
 namespace adaptive_localization {
 namespace {

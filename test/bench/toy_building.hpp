@@ -3,7 +3,9 @@
 
 #include <memory>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 

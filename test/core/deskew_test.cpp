@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/localizer.hpp"
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

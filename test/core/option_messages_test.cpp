@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 
 #include <gmock/gmock.h>
 

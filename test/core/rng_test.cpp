@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Whatever bytes of a bag are wrong, reading it ends: with a log, or saying what is wrong.
 #include <dirent.h>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "eval/bag_log_fixture.hpp"
 #include "support/program.hpp"
 

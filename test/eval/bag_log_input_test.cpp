@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "eval/bag_log_fixture.hpp"
 
 namespace adaptive_localization {

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

@@ -7,7 +7,7 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <cmath>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "eval/small_carmen_log.hpp"
 #include "support/temp_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 namespace {

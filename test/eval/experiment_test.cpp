@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/eval/experiment_plan.hpp"
 #include "adaptive_localization/eval/experiment_run.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "support/program.hpp"
 #include "toy_experiment.hpp"
 
@@ -120,8 +120,8 @@ TEST_F(ExperimentYaml, CasesSayWhatIsDifferentAndTheCommandLineWins) {
 TEST_F(ExperimentYaml, CanHaveAMapAsARobotMakesIt) {
   const ExperimentCase surveyed = toy_.load("map: surveyed\n").cases.front();
   const ExperimentCase drawn = toy_.load("").cases.front();
-  EXPECT_NE(loadSite(surveyed).map->lattice().origin().theta, 0.0);
-  EXPECT_EQ(loadSite(drawn).map->lattice().origin().theta, 0.0);
+  EXPECT_NE(loadSite(surveyed).ground.map->lattice().origin().theta, 0.0);
+  EXPECT_EQ(loadSite(drawn).ground.map->lattice().origin().theta, 0.0);
   EXPECT_NE(surveyed.fingerprint, drawn.fingerprint);
 }
 

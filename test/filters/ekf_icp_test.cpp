@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
@@ -15,8 +15,7 @@ namespace {
 
 std::unique_ptr<Filter> makeEkf() {
   FilterContext context;
-  context.map = asymmetricWorld();
-  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  context.ground = asymmetricWorld();
   return FilterRegistry().find("ekf_icp").make(context);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -21,8 +21,7 @@ class KidnappedRobot : public testing::Test {
     const FilterRegistry registry;
     const FilterDescription& description = registry.find(name);
     FilterContext context;
-    context.map = map_;
-    context.distance_field = std::make_shared<const DistanceField>(*map_);
+    context.ground = map_;
     context.seed = seed;
     for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
       context.parameters.set(key, value);

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -19,8 +19,7 @@ std::unique_ptr<Filter> makeSwarm(const std::string& name, const std::string& pr
   const FilterRegistry registry;
   const FilterDescription& description = registry.find(name);
   FilterContext context;
-  context.map = asymmetricWorld();
-  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  context.ground = asymmetricWorld();
   context.seed = seed;
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "support/toy_drive.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-/// Sums over the scans of a drive: poses, covariances, sizes of the cloud, scans said to be
+/// Sums over the scans of a drive: estimates, covariances, sizes of the cloud, scans said to be
 /// tracked.
 struct Golden {
   const char* name;
@@ -32,12 +32,12 @@ constexpr Golden kGolden[] = {
      0, 61},
     {"amcl", "recommended", "anywhere", 239.258130726, 111.383608897, 50.262415621, 0.076900671,
      30500, 0, 61},
-    {"amcl", "recommended", "kidnapped", 113.568645000, 68.380165201, 19.446201072, 0.072603823,
+    {"amcl", "recommended", "kidnapped", 114.770509431, 70.186384347, 21.382225689, 0.072603823,
      19500, 0, 34},
-    {"amcl", "seed", "told", 240.056621521, 111.606238997, 6.330728917, 1.446221433, 29388, 0, 61},
-    {"amcl", "seed", "anywhere", 406.169017649, 114.986763968, 6.171466939, 10.390618459, 30500, 0,
+    {"amcl", "seed", "told", 239.854507817, 111.017555001, 2.415117297, 1.446221433, 29388, 0, 61},
+    {"amcl", "seed", "anywhere", 405.971484817, 114.396693265, 2.255855319, 10.390618459, 30500, 0,
      0},
-    {"amcl", "seed", "kidnapped", 126.168132460, 58.256781321, 21.709042549, 1.286223154, 18000, 0,
+    {"amcl", "seed", "kidnapped", 129.583540515, 56.571415777, 20.766743263, 1.286223154, 18000, 0,
      16},
     {"ba", "recommended", "told", 239.249043116, 111.383048551, 50.261499224, 0.077309041, 24400, 0,
      61},
@@ -54,24 +54,24 @@ constexpr Golden kGolden[] = {
      12200, 0, 61},
     {"ekf_icp", "recommended", "anywhere", 239.258531193, 111.383996406, 50.262289759, 0.076074449,
      12200, 0, 61},
-    {"ekf_icp", "recommended", "kidnapped", 113.579470378, 68.379602314, 19.492728652, 0.072621666,
+    {"ekf_icp", "recommended", "kidnapped", 114.768088581, 70.186946118, 21.445487720, 0.072621666,
      7200, 0, 34},
     {"ekf_icp", "seed", "told", 239.284003719, 111.391659653, 50.272112083, 0.069115034, 12200, 0,
      61},
     {"ekf_icp", "seed", "anywhere", 239.285400538, 111.391457006, 50.272429571, 0.068175310, 12200,
      0, 61},
-    {"ekf_icp", "seed", "kidnapped", 125.864254812, 57.860372414, 21.364541788, 0.380179592, 7200,
+    {"ekf_icp", "seed", "kidnapped", 129.508155328, 54.889444713, 15.480918606, 0.380179592, 7200,
      0, 16},
     {"kld", "recommended", "told", 239.260356342, 111.384034873, 50.262712139, 0.077158454, 30500,
      0, 61},
     {"kld", "recommended", "anywhere", 265.937457154, 117.680186606, 43.624025005, 0.893625583,
      30500, 0, 54},
-    {"kld", "recommended", "kidnapped", 125.628201110, 57.901548907, 21.427844622, 0.244696908,
+    {"kld", "recommended", "kidnapped", 132.302132882, 57.244216422, 19.835482920, 0.244696908,
      18000, 0, 16},
     {"kld", "seed", "told", 239.419380170, 111.379804021, 25.233151648, 0.246348764, 13905, 0, 61},
     {"kld", "seed", "anywhere", 381.252610349, 185.410404828, -83.000176866, 11.083571150, 30200, 0,
      0},
-    {"kld", "seed", "kidnapped", 125.113696368, 58.318073682, 22.013688863, 0.504740237, 11814, 0,
+    {"kld", "seed", "kidnapped", 127.028683168, 57.658512931, 21.320889138, 0.504740237, 11814, 0,
      16},
     {"lbba", "recommended", "told", 239.249010059, 111.383052720, 50.261405082, 0.077301799, 24400,
      488, 61},
@@ -83,18 +83,18 @@ constexpr Golden kGolden[] = {
      61},
     {"lbba", "seed", "anywhere", 243.213184767, 111.261897571, 25.469238304, 2.287663779, 122000,
      366, 60},
-    {"lbba", "seed", "kidnapped", 110.096010721, 62.754837145, 45.403279576, 1.624651581, 72000,
-     216, 30},
+    {"lbba", "seed", "kidnapped", 99.058188251, 72.967845491, 38.145321771, 1.624651581, 72000, 216,
+     30},
     {"mcl", "recommended", "told", 239.260356342, 111.384034873, 50.262712139, 0.077158454, 30500,
      0, 61},
     {"mcl", "recommended", "anywhere", 260.116342720, 117.394690846, 43.910661848, 0.859853783,
      30500, 0, 55},
-    {"mcl", "recommended", "kidnapped", 126.035272025, 57.872324010, 21.359038983, 0.245869060,
+    {"mcl", "recommended", "kidnapped", 132.704547002, 57.455872111, 19.993601666, 0.245869060,
      18000, 0, 16},
     {"mcl", "seed", "told", 239.446101958, 111.418179483, 31.482117017, 0.246580528, 30500, 0, 61},
     {"mcl", "seed", "anywhere", 381.243671656, 185.592594158, -82.815502218, 11.161942991, 30500, 0,
      0},
-    {"mcl", "seed", "kidnapped", 125.123584705, 58.414765150, 21.954410286, 0.526478350, 18000, 0,
+    {"mcl", "seed", "kidnapped", 127.062686486, 57.733384346, 21.255362768, 0.526478350, 18000, 0,
      16},
     {"pso", "recommended", "told", 239.246783749, 111.384037932, 50.260380222, 0.077324912, 24400,
      0, 61},
@@ -111,25 +111,25 @@ constexpr Golden kGolden[] = {
      30500, 0, 61},
     {"sa_kld", "recommended", "anywhere", 239.258130726, 111.383608897, 50.262415621, 0.076900671,
      30500, 0, 61},
-    {"sa_kld", "recommended", "kidnapped", 114.762168853, 70.192879897, 21.417053931, 0.067604448,
+    {"sa_kld", "recommended", "kidnapped", 114.769482942, 70.192377087, 21.384502506, 0.067604448,
      18000, 0, 35},
     {"sa_kld", "seed", "told", 239.419380170, 111.379804021, 25.233151648, 0.246348764, 13905, 0,
      61},
     {"sa_kld", "seed", "anywhere", 242.963160842, 116.357512964, 20.236241702, 15.131963440, 15826,
      0, 56},
-    {"sa_kld", "seed", "kidnapped", 111.056947633, 61.200425555, -6.945438004, 0.788198632, 13143,
+    {"sa_kld", "seed", "kidnapped", 113.700483922, 64.550623995, -15.609125122, 0.788198632, 13143,
      0, 30},
     {"samcl", "recommended", "told", 239.260356342, 111.384034873, 50.262712139, 0.077158454, 30500,
      0, 61},
     {"samcl", "recommended", "anywhere", 244.299073589, 112.771702383, 50.143019757, 6.446991333,
      30500, 0, 60},
-    {"samcl", "recommended", "kidnapped", 110.891119011, 64.755840425, 28.027772193, 9.240806216,
+    {"samcl", "recommended", "kidnapped", 112.535150697, 69.769082792, 31.234437997, 9.240806216,
      18000, 0, 32},
     {"samcl", "seed", "told", 239.446101958, 111.418179483, 31.482117017, 0.246580528, 30500, 0,
      61},
     {"samcl", "seed", "anywhere", 247.091329374, 114.953910581, 37.290814496, 13.334245686, 30500,
      0, 57},
-    {"samcl", "seed", "kidnapped", 125.123584705, 58.414765150, 21.954410286, 2.279793371, 18000, 0,
+    {"samcl", "seed", "kidnapped", 120.035009522, 57.009791468, 9.715307086, 2.279793371, 18000, 0,
      16},
 };
 
@@ -159,9 +159,9 @@ Golden driveAgain(const Golden& before) {
   for (const ToyStep& step : drive) {
     T_odom_base = T_odom_base * step.motion;
     const Localization answer = localizer.update(T_odom_base, step.observations);
-    now.x += answer.T_map_base.x;
-    now.y += answer.T_map_base.y;
-    now.theta += answer.T_map_base.theta;
+    now.x += answer.estimate.T_map_base.x;
+    now.y += answer.estimate.T_map_base.y;
+    now.theta += answer.estimate.T_map_base.theta;
     now.trace += answer.estimate.covariance.trace();
     now.hypotheses += static_cast<long>(localizer.hypotheses().size());
     now.leaders += static_cast<long>(localizer.leaders().size());

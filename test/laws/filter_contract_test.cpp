@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "adaptive_localization/filter_registry.hpp"
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -26,8 +26,7 @@ std::unique_ptr<Filter> makeFilter(const Case& which, int max_particles, std::ui
   const FilterRegistry registry;
   const FilterDescription& description = registry.find(name);
   FilterContext context;
-  context.map = asymmetricWorld();
-  context.distance_field = std::make_shared<const DistanceField>(*context.map);
+  context.ground = asymmetricWorld();
   context.seed = seed;
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);

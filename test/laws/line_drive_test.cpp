@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "../../src/filters/pose_kalman.hpp"
+#include "../../src/match/pose_kalman.hpp"
 #include "adaptive_localization/match/line_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/sim/simulation.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

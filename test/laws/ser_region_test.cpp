@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../ser/ser_toys.hpp"
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

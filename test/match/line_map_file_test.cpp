@@ -6,7 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/match/line_map.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/floor_plan.hpp"
 #include "adaptive_localization/match/line_features.hpp"
-#include "adaptive_localization/rng.hpp"
-#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 

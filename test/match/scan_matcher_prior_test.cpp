@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "../../src/filters/pose_kalman.hpp"
+#include "../../src/match/pose_kalman.hpp"
 #include "scan_toys.hpp"
 #include "support/pose_matchers.hpp"
 

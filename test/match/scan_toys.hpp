@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Libraries that are no good as plug-ins, one for each value of BROKEN.
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 
 #if BROKEN == 1  // the entry point is a variable
 extern "C" {

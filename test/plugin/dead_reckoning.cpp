@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A filter core that lives in a library of its own: it believes its odometry and nothing else.
-#include "adaptive_localization/filter_registry.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

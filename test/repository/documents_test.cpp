@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filter_registry.hpp"
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/parallel.hpp"
+#include "adaptive_localization/core/parallel.hpp"
 #include "ser_toys.hpp"
 #include "support/pose_matchers.hpp"
 

@@ -62,7 +62,7 @@ class GridCacheTest : public testing::Test {
       ASSERT_EQ(a.energy(i), b.energy(i));
     }
     for (std::size_t i = 0; i < a.ranges().size(); ++i) {
-      ASSERT_EQ(std::memcmp(a.ranges().ranges(i), b.ranges().ranges(i), RangeTable::kStride), 0);
+      ASSERT_EQ(std::memcmp(a.ranges().ranges(i), b.ranges().ranges(i), kRangeStride), 0);
     }
     Rng rng(1);
     const DirectionalScan scan = randomScan(rng, 91);

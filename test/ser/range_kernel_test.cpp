@@ -13,7 +13,7 @@
 namespace adaptive_localization {
 namespace {
 
-using Row = std::array<std::uint8_t, RangeTable::kStride>;
+using Row = std::array<std::uint8_t, kRangeStride>;
 
 Row randomRow(Rng& rng) {
   Row row;
@@ -49,7 +49,7 @@ TEST(RangeKernel, SumsTruncatedDistancesOfIntervals) {
   a.fill(10);
   b.fill(30);
   const auto sum = fastestSumOfDistances();
-  const int bytes = static_cast<int>(RangeTable::kStride);
+  const int bytes = static_cast<int>(kRangeStride);
   EXPECT_EQ(sum(a.data(), a.data(), b.data(), b.data(), 255), 20 * bytes);
   EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 255), 20 * bytes);
   EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 7), 7 * bytes);

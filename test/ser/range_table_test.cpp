@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/parallel.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
 #include "ser_toys.hpp"
 #include "support/random_grid.hpp"
@@ -48,7 +48,7 @@ std::vector<double> errorsOf(const MapPtr& map, const RangeTable& table, int sam
 bool haveSameBytes(const RangeTable& a, const RangeTable& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::memcmp(a.ranges(i), b.ranges(i), RangeTable::kStride) != 0) return false;
+    if (std::memcmp(a.ranges(i), b.ranges(i), kRangeStride) != 0) return false;
   }
   return true;
 }
@@ -123,7 +123,7 @@ TEST(RangeTable, TellsNoReturnFromTheFarthestRange) {
     const double range = 0.1 * (20 - static_cast<double>(i));
     EXPECT_EQ(steps(i, 0), std::min<long>(kNoReturn, std::lround(range / 1.5 * kNoReturn))) << i;
   }
-  for (std::size_t d = kDirections; d < RangeTable::kStride; ++d) {
+  for (std::size_t d = kDirections; d < kRangeStride; ++d) {
     EXPECT_EQ(table.ranges(0)[d], 0) << "padding";
   }
 }
@@ -166,7 +166,7 @@ TEST(RangeTable, TakesEverySoManiethCellWithTheSameRanges) {
       if (cell.x % spacing != 0 || cell.y % spacing != 0) continue;
       ASSERT_LT(taken, some.size());
       EXPECT_EQ(map.lattice().index(some.cell(taken)), map.lattice().index(cell));
-      EXPECT_EQ(std::memcmp(some.ranges(taken++), all.ranges(i), RangeTable::kStride), 0);
+      EXPECT_EQ(std::memcmp(some.ranges(taken++), all.ranges(i), kRangeStride), 0);
     }
     EXPECT_EQ(taken, some.size());
     EXPECT_GT(taken, 10U);

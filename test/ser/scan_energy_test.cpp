@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <memory>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/sim/free_space.hpp"
 #include "test_worlds.hpp"
 

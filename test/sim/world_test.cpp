@@ -5,8 +5,8 @@
 
 #include <limits>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/segment_index.hpp"
 #include "test_worlds.hpp"

@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <ostream>
 
-#include "adaptive_localization/filter.hpp"
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 

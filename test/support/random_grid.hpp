@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/rng.hpp"
 
 namespace adaptive_localization {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -26,10 +26,7 @@ inline ObservationOptions modelOptions(const std::string& type) {
 
 inline std::unique_ptr<ObservationModel> makeModel(const ObservationOptions& options,
                                                    const Map& map) {
-  FilterContext context;
-  context.map = map;
-  context.distance_field = std::make_shared<const DistanceField>(*map);
-  return makeObservationModel(options, context);
+  return makeObservationModel(options, map, std::make_shared<const DistanceField>(*map));
 }
 
 struct Scores {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/observations.hpp"
 
 namespace adaptive_localization {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/pose2.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/swarm/swarm_search.hpp"
 #include "adaptive_localization/swarm/test_functions.hpp"
 
 namespace adaptive_localization {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/sim/laser.hpp"
 #include "adaptive_localization/sim/wheel_odometry.hpp"
 #include "adaptive_localization/sim/world.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/polygon.hpp"
-#include "adaptive_localization/options.hpp"
 #include "adaptive_localization/sim/simulation.hpp"
 
 namespace adaptive_localization {

@@ -5,7 +5,7 @@
 
 #include "adaptive_localization/eval/experiment.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
-#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/ser/ground.hpp"
 #include "adaptive_localization/sim/world.hpp"
 
 namespace adaptive_localization {
@@ -14,8 +14,7 @@ namespace adaptive_localization {
 struct ExperimentSite {
   Site site;
   std::shared_ptr<const FreeSpace> free_space;  // of the simulated robot
-  std::shared_ptr<const OccupancyGrid> map;
-  std::shared_ptr<const DistanceField> distance_field;
+  Ground ground;
 };
 
 /// Loads world and map. Throws std::invalid_argument naming file and reason.

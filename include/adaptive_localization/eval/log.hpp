@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/eval/trajectory.hpp"
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/scan.hpp"
 
 namespace adaptive_localization {
 

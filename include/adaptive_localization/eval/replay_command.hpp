@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/eval/log.hpp"
-#include "adaptive_localization/options.hpp"
 
 namespace adaptive_localization {
 

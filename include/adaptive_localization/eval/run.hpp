@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/eval/log.hpp"
-#include "adaptive_localization/localizer.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
 

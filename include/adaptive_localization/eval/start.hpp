@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/eval/log.hpp"
-#include "adaptive_localization/filter.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/pose2.hpp"
 #include "adaptive_localization/map/polygon.hpp"
-#include "adaptive_localization/pose2.hpp"
 
 namespace adaptive_localization {
 

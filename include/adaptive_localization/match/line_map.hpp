@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/pose2.hpp"
 #include "adaptive_localization/map/lattice.hpp"
 #include "adaptive_localization/map/polygon.hpp"
 #include "adaptive_localization/match/line_features.hpp"
-#include "adaptive_localization/pose2.hpp"
 
 namespace adaptive_localization {
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/pose2.hpp"
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 

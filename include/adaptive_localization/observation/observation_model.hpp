@@ -5,10 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filter.hpp"
-#include "adaptive_localization/observations.hpp"
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 
@@ -77,6 +78,7 @@ class ObservationModel {
 
 /// The model that the options name.
 std::unique_ptr<ObservationModel> makeObservationModel(const ObservationOptions& options,
-                                                       const FilterContext& context);
+                                                       std::shared_ptr<const OccupancyGrid> map,
+                                                       std::shared_ptr<const DistanceField> field);
 
 }  // namespace adaptive_localization

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/observations.hpp"
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

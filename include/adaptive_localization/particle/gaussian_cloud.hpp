@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-#include "adaptive_localization/filter.hpp"
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/options.hpp"
 #include "adaptive_localization/particle/exploration.hpp"
 
 namespace adaptive_localization {

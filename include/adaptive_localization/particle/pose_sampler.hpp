@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/observations.hpp"
-#include "adaptive_localization/pose2.hpp"
-#include "adaptive_localization/rng.hpp"
 
 namespace adaptive_localization {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/particles.hpp"
-#include "adaptive_localization/rng.hpp"
 
 namespace adaptive_localization {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/filter.hpp"
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/particles.hpp"
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/particles.hpp"
 
 namespace adaptive_localization {
 

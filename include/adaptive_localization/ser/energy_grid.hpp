@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
 #include "adaptive_localization/ser/scan_energy.hpp"
 

@@ -5,9 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/options.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
+#include "adaptive_localization/ser/place.hpp"
 
 namespace adaptive_localization {
 
@@ -36,15 +37,6 @@ struct GlobalSearchOptions {
            "as it takes to leave none out that could matter.");
   }
 };
-
-/// A place where a scan can have been taken.
-struct Place {
-  Pose2 T_map_base;
-  double error{0.0};  // mean truncated range error per beam, m
-};
-
-/// Nearer than half a metre and 20 degrees.
-bool areSamePlace(const Pose2& a, const Pose2& b);
 
 /// A pose of the search's lattice: a cell of the range table and the direction of beam 0.
 struct SearchPose {

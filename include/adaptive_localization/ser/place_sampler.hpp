@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/ser/ser_sampler.hpp"
 
 namespace adaptive_localization {

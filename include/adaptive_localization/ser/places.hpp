@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/background.hpp"
+#include "adaptive_localization/core/background.hpp"
+#include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/observations.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
 

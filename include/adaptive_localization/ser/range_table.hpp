@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/stop_token.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 #include "adaptive_localization/ser/const_array.hpp"
 #include "adaptive_localization/ser/scan_energy.hpp"
-#include "adaptive_localization/stop_token.hpp"
 
 namespace adaptive_localization {
 
@@ -29,9 +29,6 @@ using SweepProgress = std::function<void(std::size_t)>;
 /// slanted. Unknown cells are transparent, as in RayCaster.
 class RangeTable {
  public:
-  static constexpr std::size_t kStride =
-      192;  // bytes per cell: kDirections and padding, which is 0
-
   /// Every `spacing`-th cell of the map in x and y. Throws std::invalid_argument if the map has no
   /// free cell, and Stopped.
   RangeTable(const OccupancyGrid& map, double max_range, int spacing = 1,
@@ -48,7 +45,7 @@ class RangeTable {
   Eigen::Vector2d centre(std::size_t i) const { return lattice_.centre(cell(i)); }
 
   /// kDirections ranges in steps; direction d is d * kDirectionStep from the lattice's x axis.
-  const std::uint8_t* ranges(std::size_t i) const { return ranges_.data() + i * kStride; }
+  const std::uint8_t* ranges(std::size_t i) const { return ranges_.data() + i * kRangeStride; }
 
   /// What can be seen from blocks of cells, for searching.
   const RangeBlocks& blocks() const { return *blocks_; }

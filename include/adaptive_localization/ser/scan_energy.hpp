@@ -3,15 +3,19 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/scan.hpp"
 
 namespace adaptive_localization {
 
 /// How finely directions are told apart where ranges are tabulated: steps of 2 degrees.
 constexpr int kDirections = 180;
 constexpr double kDirectionStep = 2.0 * kPi / kDirections;
+
+/// Bytes of a row of kDirections ranges, filled up with 0 to whole vectors.
+constexpr std::size_t kRangeStride = 192;
 
 /// Ranges in steps of max_range / 255, so that one byte holds one; 255 is "nothing before
 /// max_range".

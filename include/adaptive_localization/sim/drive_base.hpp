@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/pose2.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
 

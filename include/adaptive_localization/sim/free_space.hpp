@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/lattice.hpp"
-#include "adaptive_localization/rng.hpp"
 #include "adaptive_localization/sim/world.hpp"
 
 namespace adaptive_localization {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "adaptive_localization/rng.hpp"
-#include "adaptive_localization/scan.hpp"
+#include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/sim/drive_base.hpp"
 
 namespace adaptive_localization {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/sim/drive_base.hpp"
 
 namespace adaptive_localization {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/scan.hpp"
 #include "adaptive_localization/swarm/objective.hpp"
 
 namespace adaptive_localization {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/options.hpp"
-#include "adaptive_localization/scan.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
 #include "adaptive_localization/swarm/objective.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "adaptive_localization/rng.hpp"
+#include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/swarm/objective.hpp"
 #include "adaptive_localization/swarm/search_space.hpp"
 
@@ -32,24 +32,5 @@ struct Swarm {
 
 /// So many positions, uniform over a space.
 Eigen::ArrayXXd spreadOver(const SearchSpace& space, Eigen::Index count, Rng& rng);
-
-class SwarmMove;
-
-/// When a search ends: whichever comes first.
-struct StopRule {
-  double tolerance{0.0};  // cost that is good enough
-  int max_iterations{500};
-  double max_evaluations{1e9};  // of the objective, the first ones of the swarm among them
-  int patience{0};              // iterations without progress; 0: any number
-};
-
-struct SearchResult {
-  int iterations{0};
-  bool is_reached{false};  // the tolerance
-};
-
-/// Moves a swarm until the rule says so.
-SearchResult search(Swarm& swarm, const SwarmMove& move, const Objective& objective,
-                    const StopRule& rule, Rng& rng);
 
 }  // namespace adaptive_localization

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/options.hpp"
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/swarm/swarm.hpp"
 
 namespace adaptive_localization {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
+
+namespace adaptive_localization {
+
+struct ConfidenceOptions {
+  double confidence_inlier_distance{0.2};
+  double confidence_low_inliers{0.4};
+  double confidence_high_inliers{0.75};
+  double confidence_rate{0.2};
+  double converged_std{0.5};
+  double ambiguous_mass{0.1};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("confidence_inlier_distance", confidence_inlier_distance, kPositive, "m",
+           "A hit nearer than this to an obstacle of the map agrees with it.");
+    option("confidence_low_inliers", confidence_low_inliers, kProbability, "",
+           "Share of agreeing hits at which the scan does not fit at all.");
+    option("confidence_high_inliers", confidence_high_inliers, kProbability, "",
+           "Share of agreeing hits at which the scan fits fully.");
+    option("confidence_rate", confidence_rate, Range{1e-3, 1}, "",
+           "Weight of the newest update in the running mean of the fit.");
+    option("converged_std", converged_std, kPositiveDeviation, "m",
+           "A mode is one place if its position's standard deviation is below this.");
+    option("ambiguous_mass", ambiguous_mass, kProbability, "",
+           "A second mode of at least this mass makes the answer ambiguous.");
+  }
+};
+
+/// How far an estimate can be trusted, from what any filter tells: how well the scan fits the map
+/// at the estimated pose, how much of the belief is in its heaviest mode, and how wide that mode
+/// is.
+///
+///     confidence = fit * mass / (1 + (std / converged_std)^2)
+///
+/// fit is the share of hits within confidence_inlier_distance of an obstacle, stretched from
+/// [low, high] to [0, 1], as a running mean over updates.
+class Confidence {
+ public:
+  Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field);
+
+  /// Forgets all scans.
+  void reset();
+
+  /// Goes on from what another one has seen.
+  void goOnFrom(const Confidence& other);
+
+  /// Takes note of a scan and the estimate made from it.
+  void observe(const Estimate& estimate, const Observations& observations);
+
+  /// How well a scan fits the map at a pose, [0, 1]; the scan must have hits.
+  double fitOf(const Pose2& T_map_base, const Scan& scan) const;
+
+  double value() const { return value_; }                 // [0, 1]
+  double latestFit() const { return latest_fit_; }        // of the newest scan alone
+  int contradictions() const { return contradictions_; }  // scans in a row with hardly any fit
+  double fit() const { return fit_ < 0.0 ? 0.0 : fit_; }  // [0, 1]
+  bool isCompact() const { return compact_; }             // the heaviest mode is one place
+  bool isAmbiguous() const { return ambiguous_; }         // a second mode is nearly as heavy
+
+ private:
+  ConfidenceOptions options_;
+  std::shared_ptr<const DistanceField> field_;
+  double fit_{-1.0};  // none yet
+  double latest_fit_{0.0};
+  int contradictions_{0};
+  double value_{0.0};
+  bool compact_{false};
+  bool ambiguous_{false};
+};
+
+}  // namespace adaptive_localization

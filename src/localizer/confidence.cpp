@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/confidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kContradiction = 0.2;  // a fit below tells that the robot is not there
+
+}  // namespace
+
+Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field)
+    : options_(options), field_(std::move(field)) {
+  if (options_.confidence_low_inliers >= options_.confidence_high_inliers) {
+    throw std::invalid_argument("option 'confidence_low_inliers': got " +
+                                std::to_string(options_.confidence_low_inliers) +
+                                ", expected less than confidence_high_inliers, which is " +
+                                std::to_string(options_.confidence_high_inliers));
+  }
+}
+
+void Confidence::reset() {
+  fit_ = -1.0;
+  latest_fit_ = value_ = 0.0;
+  contradictions_ = 0;
+  compact_ = ambiguous_ = false;
+}
+
+void Confidence::goOnFrom(const Confidence& other) {
+  fit_ = other.fit_;
+  value_ = other.value_;
+  latest_fit_ = other.latest_fit_;
+  contradictions_ = other.contradictions_;
+  compact_ = other.compact_;
+  ambiguous_ = other.ambiguous_;
+}
+
+double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
+  int inliers = 0;
+  for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+    const Eigen::Vector2d hit(scan.x[i], scan.y[i]);
+    if (field_->at(T_map_base * hit) < options_.confidence_inlier_distance) ++inliers;
+  }
+  const double share = static_cast<double>(inliers) / scan.hits();
+  return std::clamp((share - options_.confidence_low_inliers) /
+                        (options_.confidence_high_inliers - options_.confidence_low_inliers),
+                    0.0, 1.0);
+}
+
+void Confidence::observe(const Estimate& estimate, const Observations& observations) {
+  if (observations.scan.hits() > 0) {
+    latest_fit_ = fitOf(estimate.T_map_base, observations.scan);
+    fit_ = fit_ < 0.0 ? latest_fit_ : fit_ + options_.confidence_rate * (latest_fit_ - fit_);
+    contradictions_ = latest_fit_ < kContradiction ? contradictions_ + 1 : 0;
+  }
+  const double variance = estimate.covariance.topLeftCorner<2, 2>().trace();
+  const double relative = variance / (options_.converged_std * options_.converged_std);
+  compact_ = relative < 1.0;
+  ambiguous_ = estimate.modes.size() > 1 && estimate.modes[1].mass >= options_.ambiguous_mass;
+  const double mass = estimate.modes.empty() ? 0.0 : estimate.modes.front().mass;
+  value_ = std::clamp(fit() * mass / (1.0 + relative), 0.0, 1.0);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimate_refiner.hpp"
+
+#include <Eigen/Dense>
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+bool isNarrow(const Estimate& estimate) {
+  constexpr double kStd = 0.2;  // m
+  return estimate.covariance.topLeftCorner<2, 2>().trace() < kStd * kStd;
+}
+
+/// What a filter says, and a few centimetres: clouds are narrower than they are right.
+Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
+  constexpr double kStd = 0.05;  // m, and as much in rad
+  covariance.diagonal().array() += kStd * kStd;
+  return covariance;
+}
+
+/// Whether a pose is still of the place that a filter means.
+bool isNear(const Estimate& estimate, const Pose2& T_map_base) {
+  constexpr double kGate = 11.34;  // 99 % of a chi-square variable with 3 degrees of freedom
+  const Pose2& pose = estimate.T_map_base;
+  const Eigen::Vector3d off(T_map_base.x - pose.x, T_map_base.y - pose.y,
+                            wrapAngle(T_map_base.theta - pose.theta));
+  return off.dot(loosened(estimate.covariance).llt().solve(off)) < kGate;
+}
+
+}  // namespace
+
+EstimateRefiner::EstimateRefiner(ScanMatcher matcher, std::unique_ptr<MotionModel> motion)
+    : matcher_(std::move(matcher)), motion_(std::move(motion)) {}
+
+void EstimateRefiner::reset() {
+  is_on_ = false;
+  match_.reset();
+}
+
+Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion, const Scan& scan) {
+  match_.reset();
+  if (!isNarrow(estimate)) {
+    is_on_ = false;
+    return estimate;
+  }
+  if (!goesOnFrom(estimate, motion)) {
+    kalman_.reset({estimate.T_map_base, loosened(estimate.covariance)});
+  }
+  match_ = matcher_.match(kalman_.mean(), scan, kalman_.covariance().inverse());
+  if (match_->isGood() && !isNear(estimate, match_->T_map_base)) match_->fault = MatchFault::kJump;
+  is_on_ = match_->isGood() && kalman_.correct(observationOf(kalman_.mean(), *match_));
+  if (!is_on_) return estimate;
+  estimate.T_map_base = kalman_.mean();
+  estimate.covariance = kalman_.covariance();
+  estimate.modes.front().T_map_base = estimate.T_map_base;
+  estimate.modes.front().covariance = estimate.covariance;
+  return estimate;
+}
+
+bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) {
+  if (!is_on_) return false;
+  kalman_.predict(motion, motion_->covariance(motion));
+  return isNear(estimate, kalman_.mean());
+}
+
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context) {
+  return std::make_unique<EstimateRefiner>(
+      makeScanMatcher(context.parameters.read<MatchOptions>(), *context.ground.map),
+      makeMotionModel(context.parameters.read<MotionOptions>()));
+}
+
+}  // namespace adaptive_localization

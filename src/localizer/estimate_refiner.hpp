@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "adaptive_localization/filters/filter.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/motion/motion_model.hpp"
+#include "match/pose_kalman.hpp"
+
+namespace adaptive_localization {
+
+/// Polishes a filter's estimates: a Kalman filter on odometry and matched scans (as ekf_icp) that
+/// goes where the filter goes. It starts from an estimate, and starts anew from the filter's as
+/// soon as that is too far from its own, or nothing was matched.
+class EstimateRefiner {
+ public:
+  EstimateRefiner(ScanMatcher matcher, std::unique_ptr<MotionModel> motion);
+
+  /// What the filter says after it moved by odometry, motion = T_previous_current, and saw a scan,
+  /// with the matched pose and its covariance in place of its own. The same estimate where a cloud
+  /// is wide, as a match may then find anything, and where the scan does not match nearby.
+  Estimate refine(Estimate estimate, const Pose2& motion, const Scan& scan);
+
+  /// Forgets where the filter was.
+  void reset();
+
+  /// How the last scan was aligned with the map; null if it was not tried.
+  const Match* match() const { return match_ ? &*match_ : nullptr; }
+
+ private:
+  bool goesOnFrom(const Estimate& estimate, const Pose2& motion);
+
+  ScanMatcher matcher_;
+  std::unique_ptr<MotionModel> motion_;
+  PoseKalman kalman_;
+  bool is_on_{false};  // was matched with the last scan
+  std::optional<Match> match_;
+};
+
+/// By the options of matching and motion. Throws std::invalid_argument as makeScanMatcher().
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context);
+
+}  // namespace adaptive_localization

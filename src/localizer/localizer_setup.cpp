@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the localizer makes of parameters.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "adaptive_localization/localizer/localizer.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+std::vector<OptionDescription> placesOptions() {
+  std::vector<OptionDescription> all = describe(EnergyGridOptions{});
+  const auto search = describe(GlobalSearchOptions{});
+  all.insert(all.end(), search.begin(), search.end());
+  return all;
+}
+
+std::vector<OptionDescription> localizerOptions() {
+  std::vector<OptionDescription> all = describe(LocalizerOptions{});
+  for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{}),
+                           describe(RivalsOptions{}), describe(MatchOptions{}), placesOptions()}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
+}
+
+/// A given value as the type that the option has: 1 may stand for 1.0 or true.
+OptionValue asTypeOf(const OptionValue& option, const OptionValue& given) {
+  if (std::holds_alternative<std::string>(option)) return toText(given);
+  const auto* whole = std::get_if<int>(&given);
+  if (whole && std::holds_alternative<double>(option)) return static_cast<double>(*whole);
+  if (whole && std::holds_alternative<bool>(option)) return *whole != 0;
+  const auto* real = std::get_if<double>(&given);
+  if (real && std::holds_alternative<int>(option) && std::abs(*real) < 1e9) {
+    return static_cast<int>(*real);
+  }
+  return given;
+}
+
+OptionValue valueOf(const OptionDescription& option, const Parameters& parameters) {
+  const auto given = parameters.values().find(option.key);
+  return given == parameters.values().end() ? option.value : asTypeOf(option.value, given->second);
+}
+
+bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a,
+              const Parameters& b) {
+  return std::all_of(options.begin(), options.end(), [&](const OptionDescription& option) {
+    return valueOf(option, a) == valueOf(option, b);
+  });
+}
+
+}  // namespace
+
+Localizer::Setup Localizer::read(Parameters parameters) {
+  const auto given = parameters.read<LocalizerOptions>();
+  loadPlugins(given.plugins);
+  const FilterDescription& filter = registry_.find(given.filter);
+  Parameters preset;
+  for (const auto& [key, value] : given.preset == "seed" ? filter.seed : filter.recommended) {
+    preset.set(key, value);
+  }
+  parameters.fill(preset);
+  Setup setup;
+  setup.options = parameters.read<LocalizerOptions>();
+  setup.scan = parameters.read<ScanOptions>();
+  setup.confidence = parameters.read<ConfidenceOptions>();
+  setup.rivals = parameters.read<RivalsOptions>();
+  parameters.read<MatchOptions>();              // they are known, whoever needs them
+  for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
+    for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
+  }
+  setup.parameters = std::move(parameters);
+  return setup;
+}
+
+void Localizer::loadPlugins(const std::string& paths) {
+  std::istringstream stream(paths);
+  for (std::string path; std::getline(stream, path, ':');) {
+    if (path.empty() || loaded_plugins_.count(path)) continue;
+    registry_.loadLibrary(path);
+    loaded_plugins_.insert(path);
+  }
+}
+
+bool Localizer::hasSameFilter(const Setup& setup) const {
+  if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
+    return false;
+  }
+  return areEqual(registry_.find(setup.options.filter).options, setup_.parameters,
+                  setup.parameters);
+}
+
+bool Localizer::hasSamePlaces(const Setup& setup) const {
+  return areEqual(placesOptions(), setup_.parameters, setup.parameters);
+}
+
+bool Localizer::hasSameMatcher(const Setup& setup) const {
+  return setup.options.refine == setup_.options.refine &&
+         areEqual(describe(MatchOptions{}), setup_.parameters, setup.parameters);
+}
+
+std::vector<std::string> Localizer::unknownKeys() const {
+  return setup_.parameters.unknownKeys();
+}
+
+std::vector<OptionDescription> Localizer::effectiveOptions() const {
+  std::vector<OptionDescription> rows = localizerOptions();
+  const auto& filter = registry_.find(setup_.options.filter).options;
+  rows.insert(rows.end(), filter.begin(), filter.end());
+  for (auto& row : rows) row.value = valueOf(row, setup_.parameters);
+  return rows;
+}
+
+std::vector<OptionDescription> Localizer::allOptions() const {
+  std::vector<OptionDescription> rows = effectiveOptions();
+  std::set<std::string> keys;
+  for (const auto& row : rows) keys.insert(row.key);
+  for (const auto& name : registry_.names()) {
+    for (const auto& option : registry_.find(name).options) {
+      if (!keys.insert(option.key).second) continue;
+      rows.push_back(option);
+      rows.back().value = valueOf(option, setup_.parameters);
+    }
+  }
+  for (auto& row : rows) {
+    if (row.key == "filter") row.choices = registry_.names();
+  }
+  return rows;
+}
+
+}  // namespace adaptive_localization

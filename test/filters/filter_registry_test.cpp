@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/filters/filter_registry.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+
+template <class Call>
+std::string complaint(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+FilterContext context() {
+  FilterContext context;
+  context.ground = asymmetricWorld();
+  return context;
+}
+
+TEST(FilterRegistry, StartsWithTheBuiltInFilters) {
+  const FilterRegistry registry;
+  for (const char* name : {"mcl", "kld", "amcl"}) {
+    EXPECT_THAT(registry.names(), Contains(name));
+    EXPECT_EQ(registry.find(name).name, name);
+    EXPECT_FALSE(registry.find(name).sentence.empty());
+  }
+}
+
+TEST(FilterRegistry, ListsTheKnownNamesWhenOneIsUnknown) {
+  const FilterRegistry registry;
+  EXPECT_THAT(complaint([&] { registry.find("amlc"); }),
+              AllOf(HasSubstr("'amlc'"), HasSubstr("amcl"), HasSubstr("kld"), HasSubstr("mcl")));
+}
+
+/// Sizes with which one update takes seconds would leave the robot without a pose.
+TEST(FilterRegistry, RefusesSizesThatStallAndNamesTheirPrice) {
+  const FilterRegistry registry;
+  const auto make = [&](const std::string& name, int particles, int beams, const char* model) {
+    FilterContext with = context();
+    with.parameters.set("max_particles", OptionValue(particles));
+    with.parameters.set("laser_max_beams", OptionValue(beams));
+    with.parameters.set("laser_model_type", OptionValue(std::string(model)));
+    return complaint([&] { registry.find(name).make(with); });
+  };
+  for (const char* name : {"mcl", "kld", "amcl", "samcl", "sa_kld"}) {
+    EXPECT_EQ(make(name, 100000, 720, "likelihood_field"), "no complaint") << name;
+    EXPECT_EQ(make(name, 50000, 180, "beam"), "no complaint") << name;
+    EXPECT_THAT(make(name, 1000000, 10000, "likelihood_field"),
+                AllOf(HasSubstr("'max_particles'"), HasSubstr("1000000"), HasSubstr("10000"),
+                      HasSubstr("look-ups per update, expected at most 5e+09")));
+    EXPECT_THAT(make(name, 100000, 720, "beam"), HasSubstr("laser_model_type beam")) << name;
+  }
+  EXPECT_THAT(make("mcl", 10000000, 30, "likelihood_field"), HasSubstr("in [1, 1000000]"));
+}
+
+TEST(FilterRegistry, TakesMoreFiltersButNoNameTwice) {
+  FilterRegistry registry;
+  FilterDescription mine = registry.find("mcl");
+  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'mcl'"));
+  mine.name = "mine";
+  registry.add(mine);
+  EXPECT_THAT(registry.names(), Contains("mine"));
+  mine.name = "";
+  EXPECT_NE(complaint([&] { registry.add(mine); }), "no complaint");
+  mine.name = "nothing";
+  mine.make = nullptr;
+  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'nothing'"));
+}
+
+TEST(FilterRegistry, NamesALibraryThatCannotBeLoaded) {
+  FilterRegistry registry;
+  EXPECT_THAT(complaint([&] { registry.loadLibrary("/nowhere/lib.so"); }),
+              HasSubstr("/nowhere/lib.so"));
+  EXPECT_THAT(
+      complaint([&] { registry.loadLibrary("libm.so.6"); }),
+      AllOf(HasSubstr("libm.so.6"), HasSubstr("adaptive_localization_register_filters_v1")));
+}
+
+/// Every built-in filter reads exactly the options that it lists, and its presets are of those.
+TEST(FilterRegistry, FiltersReadTheOptionsTheyList) {
+  const FilterRegistry registry;
+  for (const auto& name : registry.names()) {
+    const FilterDescription& filter = registry.find(name);
+    FilterContext given = context();
+    std::set<std::string> keys;
+    for (const auto& option : filter.options) {
+      EXPECT_TRUE(keys.insert(option.key).second) << name << " lists " << option.key << " twice";
+      EXPECT_FALSE(option.sentence.empty()) << option.key;
+      given.parameters.set(option.key, option.value);
+    }
+    filter.make(given);
+    EXPECT_THAT(given.parameters.unknownKeys(), testing::IsEmpty()) << name;
+  }
+}
+
+TEST(FilterRegistry, PresetsMakeFilters) {
+  const FilterRegistry registry;
+  for (const auto& name : registry.names()) {
+    const FilterDescription& filter = registry.find(name);
+    for (const auto& preset : {filter.recommended, filter.seed}) {
+      FilterContext given = context();
+      for (const auto& [key, value] : preset) given.parameters.set(key, value);
+      EXPECT_NE(filter.make(given), nullptr) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "adaptive_localization/localizer/localizer.hpp"
+#include "support/toy_parameters.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string complaint(const Parameters& parameters,
+                      const std::shared_ptr<const OccupancyGrid>& map = asymmetricWorld()) {
+  try {
+    Localizer(parameters, map);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+OptionValue effective(const Localizer& localizer, const std::string& key) {
+  const auto rows = localizer.effectiveOptions();
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.key == key; });
+  return row == rows.end() ? OptionValue{std::string("none")} : row->value;
+}
+
+TEST(LocalizerOptions, AreRefusedByName) {
+  EXPECT_THAT(complaint(parametersWith({{"filter", std::string("mlc")}})),
+              AllOf(HasSubstr("'mlc'"), HasSubstr("amcl"), HasSubstr("mcl")));
+  EXPECT_THAT(complaint(parametersWith({{"preset", std::string("best")}})),
+              AllOf(HasSubstr("preset"), HasSubstr("recommended, seed")));
+  EXPECT_THAT(complaint(parametersWith({{"odom_alpha1", -1.0}})), HasSubstr("'odom_alpha1'"));
+  EXPECT_THAT(complaint(parametersWith({{"seed", -1}})), HasSubstr("'seed'"));
+  EXPECT_THAT(complaint(parametersWith(), toyWorld({"#?#"}, 0.1)), HasSubstr("no free cell"));
+  EXPECT_THAT(complaint(parametersWith({{"filter", std::string("kld")}, {"min_particles", 2000}})),
+              HasSubstr("min_particles"));
+}
+
+TEST(LocalizerOptions, ThatNobodyKnowsAreListed) {
+  const Localizer localizer(parametersWith({{"odom_alpha_1", 0.1}, {"recovery_alpha_slow", 0.1}}),
+                            asymmetricWorld());
+  EXPECT_THAT(localizer.unknownKeys(), ElementsAre("odom_alpha_1"));
+}
+
+TEST(LocalizerOptions, ComeFromThePresetUnlessGiven) {
+  Parameters parameters;
+  parameters.set("filter", OptionValue{std::string("mcl")});
+  parameters.set("preset", OptionValue{std::string("seed")});
+  parameters.set("odom_noise_theta", OptionValue{0.5});
+  const Localizer localizer(parameters, asymmetricWorld());
+  const auto seed = FilterRegistry().find("mcl").seed;
+  for (const auto& [key, value] : seed) {
+    if (key == "odom_noise_theta") continue;
+    EXPECT_EQ(effective(localizer, key), value) << key;
+  }
+  ASSERT_EQ(seed.count("odom_noise_theta"), 1u);
+  EXPECT_EQ(effective(localizer, "odom_noise_theta"), OptionValue{0.5});
+  EXPECT_EQ(OptionValue{localizer.options().update_min_d}, seed.at("update_min_d"));
+  EXPECT_EQ(OptionValue{localizer.scanOptions().laser_max_beams}, seed.at("laser_max_beams"));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
