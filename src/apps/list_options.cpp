@@ -17,6 +17,8 @@
 #include "../ros/node_options.hpp"
 #include "../ros/reconfigure_fields.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -109,7 +111,6 @@ void printTables() {
   printTable("Confidence and status", describe(ConfidenceOptions{}), values);
   printTable("Energy grid", describe(EnergyGridOptions{}), values);
   printTable("Global search", describe(GlobalSearchOptions{}), values);
-  printTable("Rival places", describe(RivalsOptions{}), values);
   printTable("Node only", describe(NodeOptions{}), values);
 }
 

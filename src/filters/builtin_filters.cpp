@@ -16,16 +16,6 @@ namespace {
 enum class Size { kFixed, kKld };
 enum class Looks { kNowhere, kAugmented, kKidnapTest };  // when particles are drawn elsewhere
 
-std::unique_ptr<Exploration> makeKidnapTest(const FilterContext& context,
-                                            std::shared_ptr<Places> places) {
-  const auto find = [places = std::move(places)](const Observations& observations) {
-    std::vector<Pose2> poses;
-    for (const Place& place : places->search(observations)) poses.push_back(place.T_map_base);
-    return poses;
-  };
-  return kidnapTest(context.parameters.read<KidnapOptions>(), context.ground.map, find);
-}
-
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
   const Parameters& given = context.parameters;
   checkPriceOfUpdate(given);
@@ -42,7 +32,7 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
     const auto places = placesFor(context);
     parts.elsewhere = makeSampler(context, places);
     parts.exploration = looks == Looks::kKidnapTest
-                            ? makeKidnapTest(context, places)
+                            ? kidnapTest(given.read<KidnapOptions>(), context.ground.map)
                             : augmentedExploration(given.read<ExplorationOptions>());
   }
   return std::make_unique<ParticleFilter>(given.read<ParticleFilterOptions>(), std::move(parts),
@@ -133,30 +123,34 @@ std::vector<FilterDescription> builtinFilters() {
   filters.push_back(particleFilter("kld", "MCL with as many particles as KLD-sampling asks for.",
                                    Size::kKld, Looks::kNowhere, {{"refine", true}},
                                    sourceOfKld() + sourceOfAll()));
-  filters.push_back(particleFilter("amcl",
-                                   "KLD-sampling that looks elsewhere when likelihoods fall "
-                                   "(augmented MCL).",
-                                   Size::kKld, Looks::kAugmented,
-                                   {{"relocalize", true}, {"refine", true}}, stockAmcl()));
+  filters.push_back(particleFilter(
+      "amcl",
+      "KLD-sampling that looks elsewhere when likelihoods fall "
+      "(augmented MCL).",
+      Size::kKld, Looks::kAugmented,
+      {{"recovery", true}, {"recovery_alpha_slow", 0.0}, {"refine", true}}, stockAmcl()));
   filters.push_back(particleFilter(
       "samcl",
       "Fixed number of particles; where none explains the scans, looks in the Similar Energy "
       "Region (self-adaptive MCL).",
       Size::kFixed, Looks::kKidnapTest,
-      {{"max_particles", 5000}, {"elsewhere", std::string("ser")}, {"refine", true}},
+      {{"max_particles", 5000},
+       {"elsewhere", std::string("ser")},
+       {"recovery", true},
+       {"refine", true}},
       Preset{{"max_particles", 5000}} + sourceOfSamcl() + sourceOfAll()));
   filters.push_back(particleFilter(
       "sa_kld",
       "SAMCL with as many particles as KLD-sampling asks for, from the first scan on (SA-KLD).",
-      Size::kKld, Looks::kKidnapTest, {{"relocalize", true}, {"refine", true}},
+      Size::kKld, Looks::kKidnapTest, {{"recovery", true}, {"refine", true}},
       Preset{{"kidnap_arm_particles", 1000}} + sourceOfSamcl() + sourceOfKld() + sourceOfAll()));
-  const Preset relocalize{{"relocalize", true}};
+  const Preset recovery{{"recovery", true}};
   filters.push_back(swarmFilter("pso", "Particle swarm: looks for the pose that explains the scan.",
-                                Rule::kParticleSwarm, relocalize, sourceOfSwarms()));
-  filters.push_back(swarmFilter("ba", "Bat algorithm: the same with bats.", Rule::kBats, relocalize,
+                                Rule::kParticleSwarm, recovery, sourceOfSwarms()));
+  filters.push_back(swarmFilter("ba", "Bat algorithm: the same with bats.", Rule::kBats, recovery,
                                 sourceOfBats() + sourceOfSwarms()));
   filters.push_back(swarmFilter("lbba", "Leader-based bat algorithm: bats that follow leaders.",
-                                Rule::kLeaders, relocalize,
+                                Rule::kLeaders, recovery,
                                 sourceOfLeaders() + sourceOfBats() + sourceOfSwarms()));
   filters.push_back(ekfIcp());
   return filters;

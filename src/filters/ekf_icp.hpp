@@ -11,8 +11,7 @@
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/ser/places.hpp"
-#include "match/pose_kalman.hpp"
+#include "match/scan_tracker.hpp"
 
 namespace adaptive_localization {
 
@@ -31,21 +30,16 @@ struct EkfOptions {
            "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
            "11.34 holds for 99 of 100 right ones.");
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
-           "Scans in a row that do not correct the pose before it is looked for all over the map.");
+           "Scans in a row that only odometry gainsays before they are believed and it is not.");
     option("ekf_cloud", ekf_cloud, Range{1, 100000}, "",
            "Particles drawn from the belief, for those who want to see a cloud.");
   }
 };
 
-/// Aligns a scan with the map from a guess and the information over (x, y, theta) that it has.
-using MatchScan =
-    std::function<Match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior)>;
-
 struct EkfParts {
   std::unique_ptr<MotionModel> motion;
   MatchScan match;
-  std::shared_ptr<Places> places;
-  std::unique_ptr<PoseSampler> anywhere;
+  std::unique_ptr<PoseSampler> elsewhere;
 };
 
 /// An extended Kalman filter that is corrected by matching scans with the map:
@@ -54,13 +48,12 @@ struct EkfParts {
 ///     correct   by the matched pose, along the directions that the scan tells something of
 ///
 /// A match with too many outliers, or one that odometry gainsays (gate), corrects nothing: the
-/// covariance grows. After several such scans, or some that fit much less than usual, and from an
-/// unknown start, the pose is looked for all over the map; what is found must fit two scans in a
-/// row.
+/// covariance grows. A match that fits scan after scan is believed after all. From an unknown start
+/// the pose is that of the place where the first scan fits best.
 class EkfIcp : public Filter {
  public:
   EkfIcp(const EkfOptions& options, EkfParts parts, std::uint64_t seed)
-      : options_(options), parts_(std::move(parts)), rng_(seed) {}
+      : options_(options), parts_(std::move(parts)), tracker_(parts_.match), rng_(seed) {}
 
   void reset(const Prior& prior) override;
   Estimate update(const Pose2& motion, const Observations& observations) override;
@@ -69,23 +62,18 @@ class EkfIcp : public Filter {
   const Match* match() const override { return match_ ? &*match_ : nullptr; }
 
  private:
-  Match matchAt(const Pose2& T_map_base, const Scan& scan) const;
   void undoJump(const Pose2& T_map_base_before, const Scan& scan);
-  bool correct();
-  bool isUsual(double inlier_ratio);
-  void lookAround(const Observations& observations);
-  std::optional<Match> matchElsewhere(const Observations& observations);
+  void correct();
+  void startAt(const Observations& observations);
 
   EkfOptions options_;
   EkfParts parts_;
+  ScanTracker tracker_;
   Rng rng_;
-  PoseKalman kalman_;
   Particles cloud_;
   std::optional<Match> match_;
   bool anywhere_{false};
-  int rejected_{0};                 // scans in a row
-  double usual_{0.7};               // inlier ratio
-  std::optional<Pose2> candidate_;  // fitted the last scan
+  int gainsaid_{0};  // good matches in a row
 };
 
 }  // namespace adaptive_localization

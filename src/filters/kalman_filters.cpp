@@ -14,26 +14,22 @@ namespace {
 MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& context) {
   const auto options = context.parameters.read<MatchOptions>();
   const auto lines = context.parameters.read<LineOptions>();
-  const auto matching = [](auto matcher) {
-    return [matcher = std::move(matcher)](const Pose2& guess, const Scan& scan,
-                                          const Eigen::Matrix3d& prior) {
-      return matcher.match(guess, scan, prior);
-    };
-  };
-  if (landmarks == "hits") return matching(makeScanMatcher(options, *context.ground.map));
+  if (landmarks == "hits") return matchBy(makeScanMatcher(options, *context.ground.map));
   if (options.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matching(LineMatcher(lines, loadLineMap(options.line_map, context.ground.map->lattice())));
+  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, context.ground.map->lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const Parameters& given = context.parameters;
   const auto options = given.read<EkfOptions>();
+  PlaceSamplerOptions places;
+  places.place_ser_share = 0.0;  // the best places alone
   EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
-                 makeMatchScan(options.ekf_landmarks, context), placesFor(context),
-                 std::make_unique<FreeSpaceSampler>(context.ground.map)};
+                 makeMatchScan(options.ekf_landmarks, context),
+                 std::make_unique<PlaceSampler>(places, placesFor(context), context.ground.map)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }
 
@@ -49,7 +45,7 @@ FilterDescription ekfIcp() {
           "Extended Kalman filter on odometry, corrected by matching scans with the map.",
           makeEkfIcp,
           std::move(all),
-          {{"relocalize", true}, {"update_min_d", 0.0}, {"update_min_a", 0.0}},
+          {{"recovery", true}, {"update_min_d", 0.0}, {"update_min_a", 0.0}},
           sourceOfEkfIcp()};
 }
 

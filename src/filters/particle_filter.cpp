@@ -59,7 +59,7 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
   } else if (isPlausible(motion)) {
     parts_.motion->propagate(motion, particles_, rng_);
   }
-  const Eigen::ArrayXd weights = weigh(motion, observations);
+  const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = weights.log();
   const Estimate estimate = summarize(particles_, weights);
 
@@ -75,20 +75,16 @@ Estimate ParticleFilter::estimate() const {
   return summarize(particles_, normalisedWeights(particles_.log_weight));
 }
 
-Eigen::ArrayXd ParticleFilter::weigh(const Pose2& motion, const Observations& observations) {
+Eigen::ArrayXd ParticleFilter::weigh(const Observations& observations) {
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles_.size());
   const Eigen::ArrayXd weights = normalisedWeights(particles_.log_weight);
   const double beams = parts_.observation->score(observations, particles_, log_likelihood);
   if (beams <= 0.0) return weights;
   Eigen::Index best = 0;
   log_likelihood.maxCoeff(&best);
-  const Evidence evidence{observations,
-                          motion,
-                          (weights * (log_likelihood / beams).exp()).sum(),
-                          particles_.pose(best),
-                          spreadOf(particles_, weights),
-                          particles_.size()};
-  if (!parts_.exploration->observe(evidence)) return weights;
+  const Evidence evidence{observations, (weights * (log_likelihood / beams).exp()).sum(),
+                          particles_.pose(best), spreadOf(particles_, weights), particles_.size()};
+  parts_.exploration->observe(evidence);
   return temperedWeights(weights, log_likelihood, options_.min_effective_share);
 }
 

@@ -56,7 +56,7 @@ class ParticleFilter : public Filter {
   void drawElsewhere(Eigen::Index count);
 
   /// The particles' weights after the observations, normalised.
-  Eigen::ArrayXd weigh(const Pose2& motion, const Observations& observations);
+  Eigen::ArrayXd weigh(const Observations& observations);
   bool resamplingIsDue(const Eigen::ArrayXd& weights, double elsewhere);
   void resample(const Eigen::ArrayXd& weights, double elsewhere);
 

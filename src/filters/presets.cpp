@@ -30,10 +30,10 @@ Preset sourceOfKld() {
 }
 
 Preset sourceOfSamcl() {
-  return {{"elsewhere", std::string("ser")}, {"kidnap_mean_abs_error", 0.74},
-          {"kidnap_truncation", 1000.0},     {"kidnap_confirm_scans", 1},
-          {"kidnap_unusual", 0.0},           {"kidnap_ratio", 0.0},
-          {"kidnap_arm_spread", 0.14},       {"local_share", 0.7}};
+  return {{"elsewhere", std::string("ser")},
+          {"kidnap_mean_abs_error", 0.74},
+          {"kidnap_arm_spread", 0.14},
+          {"local_share", 0.7}};
 }
 
 Preset sourceOfEkfIcp() {
@@ -73,6 +73,7 @@ Preset stockAmcl() {
           {"selective_resampling", false},
           {"min_effective_share", 0.0},
           {"laser_sigma_sparse", 0.0},
+          {"recovery_alpha_slow", 0.001},
           {"recovery_margin", 1.0},
           {"recovery_reference", std::string("mean")},
           {"elsewhere", std::string("free")},

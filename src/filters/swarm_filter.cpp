@@ -16,21 +16,14 @@ namespace {
 
 constexpr double kCloudXy = 0.06, kCloudTheta = 0.04;  // m, rad: a cloud is at least so wide
 constexpr double kSecondPlace = 0.05;                  // mass of a mode that counts
-constexpr float kNarrow = 0.25F;                       // m
-constexpr double kCovered = 0.7;                       // share of beams
-constexpr double kHopeless = 0.8;  // share of the worst cost that tells nothing, unmatched
-constexpr double kUnsure = 9.0;    // a place found anew is so much less sure than its bats agree
+constexpr double kStrangeRatio = 2.5;  // of costs, at which a fix may gainsay odometry,
+constexpr int kStrangeScans = 2;       // so many times in a row
+constexpr double kHopeless = 0.8;      // share of the worst cost that tells nothing, unmatched
+constexpr double kUnsure = 9.0;  // a place found anew is so much less sure than its bats agree
 constexpr double kStrange[] = {10.83, 13.82, 16.27};  // chi^2 of 1 to 3 directions, 0.1 %
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
   return {T_map_base, covariance, {{T_map_base, covariance, 1.0}}};
-}
-
-/// Whether somebody holds a hand before the laser: no place is so narrow.
-bool isCovered(const Scan& scan) {
-  const auto beams = scan.range.size() + scan.no_return_bearing.size();
-  return static_cast<double>((scan.range < kNarrow).count()) >
-         kCovered * static_cast<double>(beams);
 }
 
 PoseKalman beliefOf(const Mode& mode) {
@@ -54,7 +47,6 @@ bool hasSecondPlace(const Estimate& estimate) {
 
 void SwarmFilter::reset(const Prior& prior) {
   unexplained_ = strange_ = 0;
-  candidates_.clear();
   anywhere_ = is_undecided_ = false;
   is_fix_asked_ = true;
   leaders_ = {};
@@ -85,7 +77,7 @@ Eigen::Matrix3d SwarmFilter::cloudCovariance(double xy, double theta) const {
 
 Estimate SwarmFilter::update(const Pose2& motion, const Observations& observations) {
   ride(motion);
-  if (observations.scan.hits() == 0 || isCovered(observations.scan)) return estimate_;
+  if (observations.scan.hits() == 0) return estimate_;
   if (anywhere_) {
     fixAnywhere(observations);
   } else if (isFixDue(observations)) {
@@ -94,17 +86,15 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
   return estimate_;
 }
 
-/// Moves pose, bats and places, and adds the noise of odometry.
+/// Moves pose and bats, and adds the noise of odometry.
 void SwarmFilter::ride(const Pose2& motion) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
-  for (std::vector<Mode>* modes : {&estimate_.modes, &candidates_}) {
-    for (Mode& mode : *modes) {
-      PoseKalman belief = beliefOf(mode);
-      belief.predict(motion, noise);
-      mode.T_map_base = belief.mean();
-      mode.covariance = belief.covariance();
-    }
+  for (Mode& mode : estimate_.modes) {
+    PoseKalman belief = beliefOf(mode);
+    belief.predict(motion, noise);
+    mode.T_map_base = belief.mean();
+    mode.covariance = belief.covariance();
   }
   estimate_.T_map_base = estimate_.modes.front().T_map_base;
   estimate_.covariance = estimate_.modes.front().covariance;
@@ -120,11 +110,7 @@ bool SwarmFilter::isFixDue(const Observations& observations) const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(position, Eigen::EigenvaluesOnly);
   const double deviation = std::sqrt(std::max(0.0, solver.eigenvalues()[1]));
   return deviation >= options_.swarm_fix_deviation ||
-         !explains(parts_.fixer->costOf(estimate_.T_map_base, observations));
-}
-
-bool SwarmFilter::explains(double cost) const {
-  return cost <= usual_.limit(options_.swarm_unusual, options_.swarm_explained);
+         parts_.fixer->costOf(estimate_.T_map_base, observations) > options_.swarm_explained;
 }
 
 /// Bats near where odometry says the robot is, or in the places that they are in.
@@ -146,13 +132,7 @@ SwarmFix SwarmFilter::lookHere(const Observations& observations) {
 
 void SwarmFilter::fixHere(const Observations& observations) {
   const SwarmFix fix = lookHere(observations);
-  if (explains(fix.cost)) {
-    usual_.observe(fix.cost);
-    unexplained_ = 0;
-    candidates_.clear();
-  } else if (++unexplained_ >= options_.swarm_confirm_scans) {
-    return lookElsewhere(observations, fix);
-  }
+  if (options_.swarm_spread && isSpreadDue(fix.cost)) return spread(observations);
   takeIfPlausible(fix, observations);
 }
 
@@ -172,8 +152,8 @@ bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observation
     return false;
   }
   const double cost_here = parts_.fixer->costOf(estimate_.T_map_base, observations);
-  if (fix.cost * options_.swarm_ratio > cost_here) return true;
-  return ++strange_ < options_.swarm_confirm_scans;
+  if (fix.cost * kStrangeRatio > cost_here) return true;
+  return ++strange_ < kStrangeScans;
 }
 
 /// A fix that is fused is an observation of the pose; otherwise, or if odometry cannot explain it

@@ -9,7 +9,6 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/particle/usual_error.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
 
@@ -19,9 +18,7 @@ struct SwarmFilterOptions {
   int swarm_size{400};
   double swarm_fix_deviation{0.0};
   double swarm_explained{0.16};
-  double swarm_unusual{2.0};
-  int swarm_confirm_scans{2};
-  double swarm_ratio{2.5};
+  bool swarm_spread{false};
   bool swarm_fuse{true};
 
   template <class Visitor>
@@ -36,13 +33,9 @@ struct SwarmFilterOptions {
         "A place does not explain a scan if its cost is above this: m, or a share of the range, as "
         "swarm_error says.");
     option(
-        "swarm_unusual", swarm_unusual, kNotNegative, "",
-        "Nor does it if its cost is this many times the usual one; 0: never mind what is usual.");
-    option("swarm_confirm_scans", swarm_confirm_scans, Range{1, 1000}, "",
-           "Scans in a row that the robot's place does not explain before the swarm spreads.");
-    option("swarm_ratio", swarm_ratio, kNotNegative, "",
-           "How many times smaller the cost of another place must be to go there; 0: the robot "
-           "goes wherever the swarm does.");
+        "swarm_spread", swarm_spread,
+        "The swarm spreads over the map once its place does not explain a scan, and the robot goes "
+        "wherever the swarm does; otherwise recovery looks elsewhere.");
     option("swarm_fuse", swarm_fuse,
            "Weigh what the swarm finds against odometry by their covariances; otherwise odometry "
            "is forgotten.");
@@ -61,9 +54,6 @@ struct SwarmFilterParts {
 /// the robot is, or everywhere if that is not known; between such fixes the pose rides on odometry
 /// and its covariance grows. A fix is taken for another observation of the pose (PoseKalman), if
 /// odometry and it can both be right or it fits much better, twice in a row.
-///
-/// If no place in the cloud explains several scans in a row, the swarm spreads; the robot goes to a
-/// place elsewhere if that explains that scan and the next, and much better.
 class SwarmFilter : public Filter {
  public:
   SwarmFilter(const SwarmFilterOptions& options, SwarmFilterParts parts, std::uint64_t seed)
@@ -82,12 +72,11 @@ class SwarmFilter : public Filter {
   void drawElsewhere(double share_here);
   void ride(const Pose2& motion);
   bool isFixDue(const Observations& observations) const;
-  bool explains(double cost) const;
   SwarmFix lookHere(const Observations& observations);
   void fixHere(const Observations& observations);
   void fixAnywhere(const Observations& observations);
-  void lookElsewhere(const Observations& observations, const SwarmFix& here);
-  bool goesTo(const std::vector<Mode>& places, const Observations& observations, double cost_here);
+  bool isSpreadDue(double cost);
+  void spread(const Observations& observations);
   void takeIfPlausible(const SwarmFix& fix, const Observations& observations);
   bool isStrange(const SwarmFix& fix, const Observations& observations);
   void take(const SwarmFix& fix, bool is_fused);
@@ -97,13 +86,11 @@ class SwarmFilter : public Filter {
   Rng rng_;
   Particles bats_, leaders_;
   Estimate estimate_;
-  UsualError usual_;  // of map and laser, wherever the robot is: outlives reset()
   bool anywhere_{false};
   bool is_fix_asked_{false};
-  bool is_undecided_{false};      // the bats are in several places
-  int unexplained_{0};            // scans in a row
-  int strange_{0};                // fixes in a row that odometry does not explain
-  std::vector<Mode> candidates_;  // explained the last scan much better
+  bool is_undecided_{false};  // the bats are in several places
+  int unexplained_{0};        // scans in a row
+  int strange_{0};            // fixes in a row that odometry does not explain
 };
 
 }  // namespace adaptive_localization

@@ -10,8 +10,7 @@ namespace {
 
 constexpr double kSlipXy = 0.5, kSlipTheta = 0.3;  // m, rad: and here, when others look elsewhere
 constexpr double kShareHere = 0.2;                 // of the bats, then
-constexpr std::size_t kCandidates = 5;
-constexpr int kScansPerSpread = 3;  // while nothing is found elsewhere
+constexpr int kScansPerSpread = 3;                 // while nothing is found elsewhere
 constexpr int kScansPerLaterSpread = 10;
 
 }  // namespace
@@ -36,44 +35,18 @@ void SwarmFilter::fixAnywhere(const Observations& observations) {
   anywhere_ = fix.cost > options_.swarm_explained;
 }
 
-/// Where the swarm found a better place in the last scan, that is looked at; else it spreads.
-void SwarmFilter::lookElsewhere(const Observations& observations, const SwarmFix& here) {
-  const bool is_candidate_right = goesTo(candidates_, observations, here.cost);
-  const int since = unexplained_ - options_.swarm_confirm_scans;
-  if (is_candidate_right) return;
-  candidates_.clear();
-  if (since % (since < kScansPerLaterSpread ? kScansPerSpread : kScansPerLaterSpread) == 0) {
-    parts_.elsewhere->condition(observations);
-    drawElsewhere(kShareHere);
-    const SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
-    if (options_.swarm_ratio == 0.0) return take(fix, false);
-    candidates_ = fix.estimate.modes;
-    candidates_.resize(std::min(candidates_.size(), kCandidates));
-    if (options_.swarm_confirm_scans == 1 && goesTo(candidates_, observations, here.cost)) return;
-  }
-  usual_.observe(here.cost);
-  takeIfPlausible(here, observations);
+/// At the first scan that the swarm's place does not explain, and at some of those that follow.
+bool SwarmFilter::isSpreadDue(double cost) {
+  unexplained_ = cost > options_.swarm_explained ? unexplained_ + 1 : 0;
+  const int since = unexplained_ - 1;
+  return since >= 0 &&
+         since % (since < kScansPerLaterSpread ? kScansPerSpread : kScansPerLaterSpread) == 0;
 }
 
-/// Goes to the place that explains the scan best, if it is much better than here.
-bool SwarmFilter::goesTo(const std::vector<Mode>& places, const Observations& observations,
-                         double cost_here) {
-  SwarmFix best;
-  best.cost = std::min(options_.swarm_explained, cost_here / options_.swarm_ratio);
-  bool is_found = false;
-  for (const Mode& place : places) {
-    SwarmFix fix = parts_.fixer->fixAt({place.T_map_base, place.covariance, 1.0}, observations);
-    if (fix.cost > best.cost) continue;
-    best = std::move(fix);
-    is_found = true;
-  }
-  if (!is_found) return false;
-  best.bats = drawCloud({best.place(), best.estimate.covariance}, options_.swarm_size, rng_);
-  take(best, false);
-  usual_.observe(best.cost);
-  unexplained_ = 0;
-  candidates_.clear();
-  return true;
+void SwarmFilter::spread(const Observations& observations) {
+  parts_.elsewhere->condition(observations);
+  drawElsewhere(kShareHere);
+  take(parts_.fixer->fix(bats_, *parts_.move, observations, rng_), false);
 }
 
 }  // namespace adaptive_localization

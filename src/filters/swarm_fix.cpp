@@ -144,13 +144,6 @@ SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Eigen::ArrayXXd& s
   return fix;
 }
 
-SwarmFix SwarmFixer::fixAt(const Mode& place, const Observations& observations) const {
-  SwarmFix fix;
-  fix.estimate = {place.T_map_base, place.covariance, {place}};
-  finish(observations, fix);
-  return fix;
-}
-
 /// Costs are of ranges and by ray casting, whatever the search made small: a table's are larger by
 /// what it rounds.
 void SwarmFixer::finish(const Observations& observations, SwarmFix& fix) const {

@@ -90,9 +90,6 @@ class SwarmFixer {
   SwarmFix fixNear(const Gaussian2& odometry, const Particles& start, const SwarmMove& move,
                    const Observations& observations, Rng& rng);
 
-  /// The best pose for a scan next to this one, and its cost; without any swarm.
-  SwarmFix fixAt(const Mode& place, const Observations& observations) const;
-
   /// So many of the searchers as the budget lets search where the option says ranges come from.
   int affordable(int searchers) const;
 

@@ -30,8 +30,8 @@ bool isNear(const Estimate& estimate, const Pose2& T_map_base) {
 
 }  // namespace
 
-EstimateRefiner::EstimateRefiner(ScanMatcher matcher, std::unique_ptr<MotionModel> motion)
-    : matcher_(std::move(matcher)), motion_(std::move(motion)) {}
+EstimateRefiner::EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion)
+    : tracker_(std::move(match)), motion_(std::move(motion)) {}
 
 void EstimateRefiner::reset() {
   is_on_ = false;
@@ -45,14 +45,14 @@ Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion, const S
     return estimate;
   }
   if (!goesOnFrom(estimate, motion)) {
-    kalman_.reset({estimate.T_map_base, loosened(estimate.covariance)});
+    tracker_.reset({estimate.T_map_base, loosened(estimate.covariance)});
   }
-  match_ = matcher_.match(kalman_.mean(), scan, kalman_.covariance().inverse());
-  if (match_->isGood() && !isNear(estimate, match_->T_map_base)) match_->fault = MatchFault::kJump;
-  is_on_ = match_->isGood() && kalman_.correct(observationOf(kalman_.mean(), *match_));
+  match_ = tracker_.matchAt(tracker_.mean(), scan);
+  is_on_ = tracker_.correct(*match_,
+                            [&](const Match& match) { return isNear(estimate, match.T_map_base); });
   if (!is_on_) return estimate;
-  estimate.T_map_base = kalman_.mean();
-  estimate.covariance = kalman_.covariance();
+  estimate.T_map_base = tracker_.mean();
+  estimate.covariance = tracker_.covariance();
   estimate.modes.front().T_map_base = estimate.T_map_base;
   estimate.modes.front().covariance = estimate.covariance;
   return estimate;
@@ -60,13 +60,13 @@ Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion, const S
 
 bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) {
   if (!is_on_) return false;
-  kalman_.predict(motion, motion_->covariance(motion));
-  return isNear(estimate, kalman_.mean());
+  tracker_.predict(motion, motion_->covariance(motion));
+  return isNear(estimate, tracker_.mean());
 }
 
 std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context) {
   return std::make_unique<EstimateRefiner>(
-      makeScanMatcher(context.parameters.read<MatchOptions>(), *context.ground.map),
+      matchBy(makeScanMatcher(context.parameters.read<MatchOptions>(), *context.ground.map)),
       makeMotionModel(context.parameters.read<MotionOptions>()));
 }
 

@@ -7,7 +7,7 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
-#include "match/pose_kalman.hpp"
+#include "match/scan_tracker.hpp"
 
 namespace adaptive_localization {
 
@@ -16,7 +16,7 @@ namespace adaptive_localization {
 /// soon as that is too far from its own, or nothing was matched.
 class EstimateRefiner {
  public:
-  EstimateRefiner(ScanMatcher matcher, std::unique_ptr<MotionModel> motion);
+  EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion);
 
   /// What the filter says after it moved by odometry, motion = T_previous_current, and saw a scan,
   /// with the matched pose and its covariance in place of its own. The same estimate where a cloud
@@ -32,9 +32,8 @@ class EstimateRefiner {
  private:
   bool goesOnFrom(const Estimate& estimate, const Pose2& motion);
 
-  ScanMatcher matcher_;
+  ScanTracker tracker_;
   std::unique_ptr<MotionModel> motion_;
-  PoseKalman kalman_;
   bool is_on_{false};  // was matched with the last scan
   std::optional<Match> match_;
 };

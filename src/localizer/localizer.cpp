@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/localizer/localizer.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/ser/places.hpp"
 #include "estimate_refiner.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-constexpr double kWayOfChecks = 0.5;  // m or rad, of what somebody told: the first
 
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
@@ -22,10 +23,28 @@ Estimate finite(Estimate estimate) {
   throw std::runtime_error("the filter's estimate is not a finite pose");
 }
 
+/// Particles around places, as many around each as its mass says.
+Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
+  Particles particles(count);
+  double upto = 0.0;
+  Eigen::Index i = 0;
+  for (const Mode& mode : modes) {
+    upto += mode.mass * static_cast<double>(count);
+    const Eigen::Vector3d deviation = mode.covariance.diagonal().cwiseSqrt();
+    for (; i < count && static_cast<double>(i) < upto; ++i) {
+      particles.setPose(i, {rng.normal(mode.T_map_base.x, deviation.x()),
+                            rng.normal(mode.T_map_base.y, deviation.y()),
+                            wrapAngle(rng.normal(mode.T_map_base.theta, deviation.z()))});
+    }
+  }
+  for (; i > 0 && i < count; ++i) particles.setPose(i, particles.pose(0));  // masses rounded down
+  return particles;
+}
+
 }  // namespace
 
 Localizer::Localizer(const Parameters& parameters, Ground ground) {
-  build(read(parameters), std::move(ground), std::nullopt);
+  build(reader_.read(parameters), std::move(ground), std::nullopt);
 }
 
 /// Makes all that can fail before anything is replaced.
@@ -37,13 +56,10 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   }
   const FilterContext context{ground, setup.parameters,
                               static_cast<std::uint64_t>(setup.options.seed)};
-  auto filter = registry_.find(setup.options.filter).make(context);
+  auto filter = reader_.registry().find(setup.options.filter).make(context);
   if (belief) filter->reset(*belief);
-  Confidence confidence(setup.confidence, ground.field);
-  if (confidence_) confidence.goOnFrom(*confidence_);
-  Rivals rivals(setup.rivals, ground.map, ground.field, ground.places);
-  if (rivals_) rivals.goOnFrom(*rivals_);
-
+  Recovery recovery(setup.confidence, ground);
+  if (recovery_) recovery.goOnFrom(*recovery_);
   auto refiner = setup.options.refine ? makeEstimateRefiner(context) : nullptr;
 
   setThreads(setup.options.threads);
@@ -51,9 +67,8 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   setup_.parameters = context.parameters;  // knows what the filter has read
   ground_ = std::move(ground);
   filter_ = std::move(filter);
-  confidence_.emplace(confidence);
-  rivals_.emplace(std::move(rivals));
   refiner_ = std::move(refiner);
+  recovery_.emplace(std::move(recovery));
 }
 
 Localizer::~Localizer() = default;
@@ -64,18 +79,16 @@ const Match* Localizer::match() const {
 }
 
 void Localizer::configure(const Parameters& parameters) {
-  Setup setup = read(parameters);
+  Setup setup = reader_.read(parameters);
   Ground ground = ground_;
-  if (!hasSamePlaces(setup)) ground.places = nullptr;
-  if (!hasSameFilter(setup) || !hasSameMatcher(setup) || !ground.places) {
+  if (!reader_.haveSamePlaces(setup, setup_)) ground.places = nullptr;
+  if (!reader_.haveSameFilter(setup, setup_) || !reader_.haveSameMatcher(setup, setup_) ||
+      !ground.places) {
     return build(std::move(setup), std::move(ground), belief());
   }
-  Confidence confidence(setup.confidence, ground.field);
-  confidence.goOnFrom(*confidence_);
-  Rivals rivals(setup.rivals, ground.map, ground.field, ground.places);
-  rivals.goOnFrom(*rivals_);
-  confidence_.emplace(confidence);
-  rivals_.emplace(std::move(rivals));
+  Recovery recovery(setup.confidence, ground);
+  recovery.goOnFrom(*recovery_);
+  recovery_.emplace(std::move(recovery));
   setThreads(setup.options.threads);
   setup_ = std::move(setup);
 }
@@ -92,17 +105,8 @@ void Localizer::reset(const Prior& prior) {
   }
   filter_->reset(prior);
   if (refiner_) refiner_->reset();
-  confidence_->reset();
-  converged_ = false;
-  from_anywhere_ = std::holds_alternative<Anywhere>(prior);
-  is_told_ = is_unverified_ = std::holds_alternative<Gaussian2>(prior);
-  way_to_check_ = 0.0;
-  way_of_checks_ = kWayOfChecks;
-  if (from_anywhere_) {
-    rivals_->open();
-  } else {
-    rivals_->close();
-  }
+  recovery_->reset(prior);
+  is_anywhere_ = std::holds_alternative<Anywhere>(prior);
   T_odom_base_at_update_.reset();
   last_ = {};
   last_.status = Status::kGlobalizing;
@@ -132,7 +136,7 @@ std::optional<Prior> Localizer::beliefOn(const OccupancyGrid& map) const {
   for (Eigen::Index i = 0; i < particles->size(); ++i) {
     if (map.isFree(map.lattice().cellAt({particles->x[i], particles->y[i]}))) free.push_back(i);
   }
-  if (free.empty() && from_anywhere_ && !converged_) return Anywhere{};
+  if (free.empty() && is_anywhere_) return Anywhere{};
   if (free.empty()) return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
   Particles kept(static_cast<Eigen::Index>(free.size()));
   for (Eigen::Index k = 0; k < kept.size(); ++k) {
@@ -149,40 +153,60 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   const bool first = !T_odom_base_at_update_;
   const Pose2 motion = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   if (first || update_requested_ || gateOpens(motion, observations)) {
-    updateFilter(motion, observations);
+    updateBelief(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
-    last_.T_map_odom = corrected(last_.T_map_odom * T_odom_base) * inverse(T_odom_base);
+    const Pose2 by_odometry = last_.T_map_odom * T_odom_base;
+    last_.T_map_odom = recovery_->published(by_odometry, last_.estimate) * inverse(T_odom_base);
     update_requested_ = false;
-  } else if (is_unverified_ && ground_.places->isReadyFor(observations.scan)) {
-    checkWhatWasTold(motion, observations);  // a robot that stands still need not drive on for that
+  } else if (recovery_->isUnverified(observations.scan)) {  // even where the robot stands still
+    recovery_->verify(last_.estimate, observations);
     conclude();
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
 }
 
-void Localizer::updateFilter(const Pose2& motion, const Observations& observations) {
+/// A scan that contradicts the map opens it too: a robot that was carried away stands still.
+bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
+  if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
+  if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
+  return recovery_->isContradicted(last_.estimate.T_map_base * motion, observations.scan);
+}
+
+void Localizer::updateBelief(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
-  last_.estimate = finite(filter_->update(motion, observations));
-  if (refiner_ && !filter_->match())
-    last_.estimate = refiner_->refine(last_.estimate, motion, observations.scan);
-  confidence_->observe(last_.estimate, observations);
-  rivals_->observe(motion, last_.estimate.T_map_base, observations);
-  checkWhatWasTold(motion, observations);
-  if (rivals_->isSettled() && isDoubtful(T_map_base_expected)) {
-    rivals_->open(T_map_base_expected);
-    rivals_->observe({}, last_.estimate.T_map_base, observations);
-  }
-  relocalize();
+  last_.estimate = askCore(motion, observations);
+  recovery_->observe(motion, T_map_base_expected, last_.estimate, observations);
+  if (setup_.options.recovery && recovery_->mustMove()) moveBelief();
   conclude();
   last_.updated = true;
 }
 
+/// What the core makes of motion and observations, refined by a match. Where the localizer
+/// recovers, what stands before the laser is kept from the core.
+Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
+  const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
+  Observations seen = observations;
+  if (setup_.options.recovery && recovery_->isOccluded(T_map_base_expected, seen.scan)) {
+    seen.scan = Scan{};
+  }
+  const Estimate estimate = finite(filter_->update(motion, seen));
+  return refiner_ && !filter_->match() ? refiner_->refine(estimate, motion, seen.scan) : estimate;
+}
+
+/// To the places that are left.
+void Localizer::moveBelief() {
+  constexpr Eigen::Index kParticles = 2000;
+  Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++moves_);
+  filter_->reset(Prior(drawFrom(recovery_->modes(), kParticles, rng)));
+  last_.estimate = filter_->estimate();
+}
+
 void Localizer::conclude() {
-  last_.status = judge();
-  converged_ = converged_ || last_.status == Status::kTracking;
-  last_.modes = rivals_->modes().empty() ? last_.estimate.modes : rivals_->modes();
-  last_.confidence = confidence_->value() * rivals_->shareOf(last_.estimate.T_map_base);
+  last_.status = recovery_->status();
+  is_anywhere_ = is_anywhere_ && last_.status != Status::kTracking;
+  last_.modes = recovery_->modes().empty() ? last_.estimate.modes : recovery_->modes();
+  last_.confidence = recovery_->confidence(last_.estimate.T_map_base);
 }
 
 }  // namespace adaptive_localization

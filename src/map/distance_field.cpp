@@ -8,10 +8,26 @@
 namespace adaptive_localization {
 namespace {
 
-bool isSurface(const OccupancyGrid& grid, const Cell& c) {
-  return grid.isOccupied(c) &&
-         !(grid.isOccupied({c.x - 1, c.y}) && grid.isOccupied({c.x + 1, c.y}) &&
-           grid.isOccupied({c.x, c.y - 1}) && grid.isOccupied({c.x, c.y + 1}));
+constexpr double kWallDepth = 0.35;  // m
+
+/// 0 in the cells of walls, 255 elsewhere; empty if there are none.
+cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
+  const Lattice& lattice = grid.lattice();
+  cv::Mat occupied(lattice.height(), lattice.width(), CV_8U);
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    occupied.data[i] = grid.cells()[i] == OccupancyGrid::kOccupied ? 255 : 0;
+  }
+  if (cv::countNonZero(occupied) == 0) return {};
+  stop.check();
+  cv::Mat framed, depth;  // in cells, from the nearest one that is not occupied
+  cv::copyMakeBorder(occupied, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  depth = depth(cv::Rect(1, 1, lattice.width(), lattice.height()));
+  stop.check();
+  const double most = 1.0 + kWallDepth / lattice.resolution();
+  cv::Mat open = occupied == 0;
+  open.setTo(255, depth > most);
+  return open;
 }
 
 }  // namespace
@@ -19,17 +35,10 @@ bool isSurface(const OccupancyGrid& grid, const Cell& c) {
 DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
     : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell) {
   steps_.assign(lattice_.size(), kFar);
-  cv::Mat surface(lattice_.height(), lattice_.width(), CV_8U);
-  bool any = false;
-  for (std::size_t i = 0; i < lattice_.size(); ++i) {
-    const bool hit = isSurface(grid, lattice_.cell(i));
-    surface.data[i] = hit ? 0 : 255;
-    any = any || hit;
-  }
-  stop.check();
-  if (!any) return;
+  const cv::Mat walls = wallsOf(grid, stop);
+  if (walls.empty()) return;
   cv::Mat cells;
-  cv::distanceTransform(surface, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  cv::distanceTransform(walls, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
   stop.check();
   cv::Mat steps(lattice_.height(), lattice_.width(), CV_16U, steps_.data());
   cells.convertTo(steps, CV_16U, kStepsPerCell);

@@ -10,7 +10,7 @@ namespace {
 class None : public Exploration {
  public:
   void reset() override {}
-  bool observe(const Evidence&) override { return true; }
+  void observe(const Evidence&) override {}
   double share() const override { return 0.0; }
 };
 
@@ -20,14 +20,13 @@ class Augmented : public Exploration {
 
   void reset() override { w_slow_ = w_fast_ = 0.0; }
 
-  bool observe(const Evidence& evidence) override {
+  void observe(const Evidence& evidence) override {
     const double w = evidence.mean_likelihood;
-    if (!std::isfinite(w)) return true;
+    if (!std::isfinite(w)) return;
     if (w_slow_ <= 0.0) w_slow_ = w_fast_ = w;
     w_slow_ += options_.recovery_alpha_slow * (w - w_slow_);
     w_fast_ += options_.recovery_alpha_fast * (w - w_fast_);
     if (isBest()) w_slow_ = std::max(w_slow_, w_fast_);
-    return true;
   }
 
   double share() const override {

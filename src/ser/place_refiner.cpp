@@ -17,7 +17,7 @@ Eigen::Index strideFor(Eigen::Index beams) {
 
 PlaceRefiner::PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
                            const Scan& scan, double max_range, double truncation)
-    : ray_caster_(std::move(map)),
+    : range_error_(std::move(map), truncation),
       field_(field),
       scan_(scan),
       max_range_(max_range),
@@ -63,26 +63,6 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
     turn *= 0.5;
   }
   return {pose, error(pose)};
-}
-
-double PlaceRefiner::error(const Pose2& T_map_base) const {
-  const Eigen::Vector2d sensor = T_map_base * scan_.position;
-  double sum = 0.0;
-  int count = 0;
-  const auto add = [&](double bearing, double range) {
-    const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + bearing)};
-    const double expected = ray_caster_.range(ray, max_range_);
-    sum += std::min(std::abs(expected - std::min(range, max_range_)), truncation_);
-    ++count;
-  };
-  const Eigen::Index stride = strideFor(scan_.range.size() + scan_.no_return_bearing.size());
-  for (Eigen::Index i = 0; i < scan_.range.size(); i += stride) {
-    add(scan_.bearing[i], scan_.range[i]);
-  }
-  for (Eigen::Index i = 0; i < scan_.no_return_bearing.size(); i += stride) {
-    add(scan_.no_return_bearing[i], max_range_);
-  }
-  return count > 0 ? sum / count : truncation_;
 }
 
 }  // namespace adaptive_localization

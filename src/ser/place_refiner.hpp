@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/map/range_error.hpp"
 #include "adaptive_localization/ser/place.hpp"
 #include "adaptive_localization/ser/scan_energy.hpp"
 
@@ -22,13 +22,15 @@ class PlaceRefiner {
   /// the scan does not fix the pose, as along a wall, it stays.
   Place refine(const Pose2& T_map_base, double stiffness = 0.0) const;
 
-  /// Mean over beams of min(|z* - z|, truncation), z* by ray casting, both cut off at max_range.
-  double error(const Pose2& T_map_base) const;
+  /// The mean range error, truncated, both ranges cut off at max_range.
+  double error(const Pose2& T_map_base) const {
+    return range_error_.at(T_map_base, scan_, max_range_).error;
+  }
 
  private:
   double misfit(const Pose2& T_map_base) const;
 
-  RayCaster ray_caster_;
+  RangeError range_error_;
   const DistanceField& field_;
   const Scan& scan_;
   double max_range_;

@@ -16,7 +16,6 @@ struct Recording {
   std::vector<double> likelihoods;  // told to the exploration
   std::vector<Pose2> best;
   std::vector<double> spreads;
-  bool worthless{false};  // what is observed
   int explored{0};
   int conditioned{0};
   bool knows_where{false};
@@ -28,11 +27,10 @@ class ScriptedExploration : public Exploration {
  public:
   explicit ScriptedExploration(std::shared_ptr<Recording> recording) : r_(std::move(recording)) {}
   void reset() override {}
-  bool observe(const Evidence& evidence) override {
+  void observe(const Evidence& evidence) override {
     r_->likelihoods.push_back(evidence.mean_likelihood);
     r_->best.push_back(evidence.best);
     r_->spreads.push_back(evidence.spread);
-    return !r_->worthless;
   }
   double share() const override { return r_->share; }
   void explored() override { ++r_->explored; }
@@ -165,17 +163,6 @@ TEST(ParticleFilter, TellsOfTheParticleThatExplainsBestAndOfTheSpread) {
   filter.update({}, Observations{});
   EXPECT_NEAR(recording->best.at(0).x, 1.0, 0.01);
   EXPECT_NEAR(recording->spreads.at(0), 0.4 * std::sqrt(2.0 / kPi), 0.01);
-}
-
-TEST(ParticleFilter, KeepsItsWeightsWhereObservationsAreWorthless) {
-  const auto recording = std::make_shared<Recording>();
-  ParticleFilter filter = makeFilter(recording, true);
-  filter.reset(at(2.0, 0.3));
-  recording->worthless = true;
-  const Estimate estimate = filter.update({0.5, 0.0, 0.0}, Observations{});
-  const Particles& all = filter.hypotheses();
-  EXPECT_NEAR(all.log_weight.maxCoeff(), all.log_weight.minCoeff(), 1e-12);
-  EXPECT_NEAR(estimate.T_map_base.x, 2.5, 0.1);  // where odometry says, not nearer to 1
 }
 
 TEST(ParticleFilter, AnywhereBecomesTheRegionThatTheFirstScanLeaves) {

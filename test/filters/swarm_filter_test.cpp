@@ -36,18 +36,6 @@ Observations seenAt(const Pose2& pose) {
   return ToyLaser{61, -2.0, 2.0, 12.0}.observe(asymmetricWorld(), pose);
 }
 
-/// What a laser sees that somebody holds a hand before.
-Observations covered() {
-  Observations seen = seenAt({1.0, 1.0, 0.0});
-  Scan& scan = seen.scan;
-  for (Eigen::Index i = 0; i < scan.range.size(); ++i) {
-    scan.x[i] *= 0.15F / scan.range[i];
-    scan.y[i] *= 0.15F / scan.range[i];
-    scan.range[i] = 0.15F;
-  }
-  return seen;
-}
-
 class SwarmFilters : public testing::TestWithParam<const char*> {};
 
 TEST_P(SwarmFilters, FindTheRobotInOneScan) {
@@ -72,27 +60,6 @@ TEST_P(SwarmFilters, TrackToCentimetres) {
   }
   // The toy laser sees cells' faces, a match takes walls to be in the middle of the cells of 0.1 m.
   EXPECT_LT(std::sqrt(squares / static_cast<double>(drive.size())), 0.035);
-}
-
-TEST_P(SwarmFilters, AreThereAgainSoonAfterAKidnap) {
-  const auto filter = makeSwarm(GetParam(), "recommended");
-  filter->reset(exactly({1.0, 1.0, 0.0}));
-  for (int i = 0; i < 5; ++i) filter->update({}, seenAt({1.0, 1.0, 0.0}));
-  const Pose2 elsewhere{8.0, 0.7, 2.5};
-  for (int i = 0; i < 4; ++i) filter->update({}, seenAt(elsewhere));
-  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(elsewhere, 0.05, 0.02));
-}
-
-TEST_P(SwarmFilters, KeepToOdometryBehindACoveredLaser) {
-  const auto filter = makeSwarm(GetParam(), "recommended");
-  Pose2 truth{1.0, 1.0, 0.0};
-  filter->reset(exactly(truth));
-  filter->update({}, seenAt(truth));
-  for (int i = 0; i < 10; ++i) {
-    truth = truth * Pose2{0.1, 0.0, 0.0};
-    filter->update({0.1, 0.0, 0.0}, covered());
-  }
-  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(truth, 0.05, 0.05));
 }
 
 TEST_P(SwarmFilters, FollowTheRobotThroughACrowd) {

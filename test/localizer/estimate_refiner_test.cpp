@@ -26,7 +26,7 @@ class Refining : public testing::Test {
  protected:
   std::shared_ptr<const OccupancyGrid> map_ = asymmetricWorld();
   std::vector<ToyStep> drive_ = toyDrive(map_, 5, 91);
-  EstimateRefiner refiner_{makeScanMatcher(MatchOptions{}, *map_), makeMotionModel({})};
+  EstimateRefiner refiner_{matchBy(makeScanMatcher(MatchOptions{}, *map_)), makeMotionModel({})};
   Rng rng_{8};
 };
 

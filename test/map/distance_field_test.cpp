@@ -11,14 +11,25 @@
 namespace adaptive_localization {
 namespace {
 
+/// Occupied, and no deeper than 0.35 m below the nearest cell that is not.
+bool isWall(const OccupancyGrid& grid, const Cell& cell) {
+  if (!grid.isOccupied(cell)) return false;
+  const double deepest = 1.0 + 0.35 / grid.lattice().resolution();  // cells
+  const int reach = static_cast<int>(deepest);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const bool is_near = std::hypot(dx, dy) <= deepest;
+      if (is_near && !grid.isOccupied({cell.x + dx, cell.y + dy})) return true;
+    }
+  }
+  return false;
+}
+
 double bruteForce(const OccupancyGrid& grid, const Cell& from) {
   double nearest = 1e9;
   for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
     const Cell cell = grid.lattice().cell(i);
-    const bool inside =
-        grid.isOccupied({cell.x + 1, cell.y}) && grid.isOccupied({cell.x - 1, cell.y}) &&
-        grid.isOccupied({cell.x, cell.y + 1}) && grid.isOccupied({cell.x, cell.y - 1});
-    if (grid.isOccupied(cell) && !inside) {
+    if (isWall(grid, cell)) {
       nearest = std::min(nearest, std::hypot(cell.x - from.x, cell.y - from.y));
     }
   }
@@ -40,13 +51,14 @@ TEST(DistanceField, IsTheBruteForceDistanceOnRandomGrids) {
   }
 }
 
-TEST(DistanceField, GrowsIntoThickWalls) {
-  const DistanceField field(
-      *toyWorld({".......", ".#####.", ".#####.", ".#####.", "......."}, 1.0));
-  EXPECT_EQ(field.at(Cell{1, 2}), 0.0);
-  EXPECT_EQ(field.at(Cell{3, 3}), 0.0);
-  EXPECT_EQ(field.at(Cell{3, 2}), 1.0);
-  EXPECT_EQ(field.at(Cell{0, 2}), 1.0);
+TEST(DistanceField, WallsHaveADepthAndRockHasNone) {
+  const Art art{".......", ".#####.", ".#####.", ".#####.", ".#####.", ".#####.", "......."};
+  const DistanceField walls(*toyWorld(art, 0.1));
+  for (const Cell& cell : {Cell{1, 1}, {2, 2}, {3, 3}}) EXPECT_EQ(walls.at(cell), 0.0);
+  EXPECT_EQ(walls.at(Cell{0, 2}), 0.1 * 64 / 64);
+  const DistanceField rock(*toyWorld(art, 0.3));
+  EXPECT_EQ(rock.at(Cell{2, 2}), 0.0);
+  EXPECT_NEAR(rock.at(Cell{3, 3}), 0.3, 0.01);
 }
 
 TEST(DistanceField, IsSaturatedWithoutObstaclesAndOutside) {

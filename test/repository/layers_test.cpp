@@ -82,7 +82,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>>& rules() {
       {"eval",
        {"core", "map", "particle", "match", "ser", "swarm", "filters", "localizer", "sim", "bag"}},
       {"ros", {"core", "map", "match", "ser", "filters", "localizer", "sim", "bag"}},
-      {"apps", {"core", "map", "ser", "localizer", "sim", "eval", "ros"}}};
+      {"apps", {"core", "map", "match", "ser", "localizer", "sim", "eval", "ros"}}};
   return all;
 }
 

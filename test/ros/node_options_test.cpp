@@ -39,9 +39,9 @@ TEST(ChangedOptions, AreThoseOfNodeAndLocalizerWithOtherValues) {
 
 TEST(ChangedOptions, AreComparedWithTheChosenCoreAndPreset) {
   EXPECT_EQ(changed({{"filter", "kld"}}), (Values{{"filter", "kld"}}));
-  EXPECT_EQ(changed({{"filter", "kld"}, {"relocalize", "false"}}), (Values{{"filter", "kld"}}));
-  EXPECT_EQ(changed({{"filter", "kld"}, {"relocalize", "true"}}),
-            (Values{{"filter", "kld"}, {"relocalize", "true"}}));
+  EXPECT_EQ(changed({{"filter", "kld"}, {"recovery", "false"}}), (Values{{"filter", "kld"}}));
+  EXPECT_EQ(changed({{"filter", "kld"}, {"recovery", "true"}}),
+            (Values{{"filter", "kld"}, {"recovery", "true"}}));
   EXPECT_EQ(changed({{"preset", "seed"}, {"laser_max_beams", "30"}}), (Values{{"preset", "seed"}}));
 }
 

@@ -9,11 +9,12 @@
 
 namespace adaptive_localization {
 
-/// Euclidean distance from each cell's centre to the centre of the nearest surface cell, exact
-/// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). A surface cell is an occupied
-/// one with a side that is not shut by another: no laser sees the inside of a thick wall, and a hit
-/// in there is as wrong as one in front. Two bytes per cell: steps of 1/64 cell, saturating at 1023
-/// cells; a map without obstacles is saturated everywhere.
+/// Euclidean distance from each cell's centre to the centre of the nearest cell of a wall, exact
+/// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
+/// down to 0.35 m below their faces: where a map was made inexactly they are thick, and a laser
+/// sees what is in their middle. Deeper is no wall: all of a scan would fit into the rock around a
+/// small room. Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a map without
+/// obstacles is saturated everywhere.
 class DistanceField {
  public:
   /// Throws Stopped.

@@ -35,7 +35,6 @@ struct ExplorationOptions {
 /// before the weights are normalised.
 struct Evidence {
   const Observations& observations;
-  Pose2 motion;            // since the last update, T_previous_current
   double mean_likelihood;  // per beam, over the particles
   Pose2 best;              // the particle that explains the observations best
   double spread;           // mean distance of the particles from their mean, m
@@ -49,10 +48,8 @@ class Exploration {
 
   virtual void reset() = 0;
 
-  /// Takes note of an update. False if the particles are better not weighed by these observations:
-  /// they fit neither here nor elsewhere, so they tell of what is before the sensor and not of
-  /// where the robot is.
-  virtual bool observe(const Evidence& evidence) = 0;
+  /// Takes note of an update.
+  virtual void observe(const Evidence& evidence) = 0;
 
   /// Share in [0, 1] of the next set.
   virtual double share() const = 0;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <vector>
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
@@ -12,33 +10,16 @@
 namespace adaptive_localization {
 
 struct KidnapOptions {
-  double kidnap_mean_abs_error{0.16};
-  double kidnap_truncation{0.25};
-  double kidnap_unusual{2.0};
-  int kidnap_confirm_scans{2};
-  double kidnap_ratio{2.5};
+  double kidnap_mean_abs_error{0.0};
   double kidnap_arm_spread{0.0};
   int kidnap_arm_particles{0};
-  double local_share{0.2};
+  double local_share{0.7};
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("kidnap_mean_abs_error", kidnap_mean_abs_error, kPositive, "m",
+    option("kidnap_mean_abs_error", kidnap_mean_abs_error, kNotNegative, "m",
            "The best particle does not explain a scan if its mean range error per beam is above "
-           "this.");
-    option(
-        "kidnap_truncation", kidnap_truncation, kPositive, "m",
-        "A range that is wrong by more than this counts as wrong by this: what people before the "
-        "laser may add.");
-    option(
-        "kidnap_unusual", kidnap_unusual, kNotNegative, "",
-        "Nor does it if the error is this many times the usual one; 0: never mind what is usual.");
-    option("kidnap_confirm_scans", kidnap_confirm_scans, Range{1, 1000}, "",
-           "Scans in a row that the best particle does not explain before others are looked for.");
-    option(
-        "kidnap_ratio", kidnap_ratio, kNotNegative, "",
-        "How many times smaller the error of a place found elsewhere must be for particles to be "
-        "drawn there; 0: nothing need be found.");
+           "this (xi); 0: never mind, recovery does.");
     option("kidnap_arm_spread", kidnap_arm_spread, kNotNegative, "m",
            "The test is on once the mean distance of particles from their mean was below this; 0: "
            "from the start.");
@@ -49,26 +30,14 @@ struct KidnapOptions {
   }
 };
 
-/// Places where the observations fit, best first; empty if none is known.
-using FindElsewhere = std::function<std::vector<Pose2>(const Observations&)>;
-
-/// Test for a robot that was carried away (SAMCL; with the hypothesis test that its authors ask
-/// for). With the mean range error per beam of a pose,
+/// Test for a robot that was carried away (SAMCL, Zhang, Zapata and Lepinay 2009): with the mean
+/// range error per beam of the best particle,
 ///
-///     e(pose) = (1 / I) sum_i min(|z_i* - z_i|, c)
+///     e(best) = (1 / I) sum_i |z_i* - z_i|,   z* by exact ray casting,
 ///
-/// z* by exact ray casting and a no-return counting as max_range, a scan is unexplained if e of the
-/// best particle is above kidnap_mean_abs_error or unusual. If that many scans in a row are, and a
-/// place found elsewhere has an e that is kidnap_ratio times smaller, in one scan and moved by
-/// odometry in the next, a share 1 - local_share of the next set is drawn elsewhere. The ratio is
-/// that of the likelihoods of both places, the noise of ranges (Laplace) being unknown:
-///
-///     log p(scan | there) - log p(scan | here) = I log(e_here / e_there)
-///
-/// Where nothing better is found and nearly all beams are too short, something stands before the
-/// laser: particles that explained scans before are not weighed by this one.
+/// a share 1 - local_share of the next set is drawn elsewhere while e(best) >
+/// kidnap_mean_abs_error, once the particles had converged.
 std::unique_ptr<Exploration> kidnapTest(const KidnapOptions& options,
-                                        std::shared_ptr<const OccupancyGrid> map,
-                                        FindElsewhere find);
+                                        std::shared_ptr<const OccupancyGrid> map);
 
 }  // namespace adaptive_localization

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the localizer makes of parameters.
+#include "adaptive_localization/localizer/setup.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "adaptive_localization/localizer/localizer.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -19,7 +21,7 @@ std::vector<OptionDescription> placesOptions() {
 std::vector<OptionDescription> localizerOptions() {
   std::vector<OptionDescription> all = describe(LocalizerOptions{});
   for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{}),
-                           describe(RivalsOptions{}), describe(MatchOptions{}), placesOptions()}) {
+                           describe(MatchOptions{}), placesOptions()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
@@ -52,7 +54,7 @@ bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a
 
 }  // namespace
 
-Localizer::Setup Localizer::read(Parameters parameters) {
+Setup SetupReader::read(Parameters parameters) {
   const auto given = parameters.read<LocalizerOptions>();
   loadPlugins(given.plugins);
   const FilterDescription& filter = registry_.find(given.filter);
@@ -65,7 +67,6 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
-  setup.rivals = parameters.read<RivalsOptions>();
   parameters.read<MatchOptions>();              // they are known, whoever needs them
   for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
     for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
@@ -74,7 +75,7 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   return setup;
 }
 
-void Localizer::loadPlugins(const std::string& paths) {
+void SetupReader::loadPlugins(const std::string& paths) {
   std::istringstream stream(paths);
   for (std::string path; std::getline(stream, path, ':');) {
     if (path.empty() || loaded_plugins_.count(path)) continue;
@@ -83,44 +84,37 @@ void Localizer::loadPlugins(const std::string& paths) {
   }
 }
 
-bool Localizer::hasSameFilter(const Setup& setup) const {
-  if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
-    return false;
-  }
-  return areEqual(registry_.find(setup.options.filter).options, setup_.parameters,
-                  setup.parameters);
+bool SetupReader::haveSameFilter(const Setup& a, const Setup& b) const {
+  return a.options.filter == b.options.filter && a.options.seed == b.options.seed &&
+         areEqual(registry_.find(a.options.filter).options, a.parameters, b.parameters);
 }
 
-bool Localizer::hasSamePlaces(const Setup& setup) const {
-  return areEqual(placesOptions(), setup_.parameters, setup.parameters);
+bool SetupReader::haveSamePlaces(const Setup& a, const Setup& b) const {
+  return areEqual(placesOptions(), a.parameters, b.parameters);
 }
 
-bool Localizer::hasSameMatcher(const Setup& setup) const {
-  return setup.options.refine == setup_.options.refine &&
-         areEqual(describe(MatchOptions{}), setup_.parameters, setup.parameters);
+bool SetupReader::haveSameMatcher(const Setup& a, const Setup& b) const {
+  return a.options.refine == b.options.refine &&
+         areEqual(describe(MatchOptions{}), a.parameters, b.parameters);
 }
 
-std::vector<std::string> Localizer::unknownKeys() const {
-  return setup_.parameters.unknownKeys();
-}
-
-std::vector<OptionDescription> Localizer::effectiveOptions() const {
+std::vector<OptionDescription> SetupReader::effectiveOptions(const Setup& setup) const {
   std::vector<OptionDescription> rows = localizerOptions();
-  const auto& filter = registry_.find(setup_.options.filter).options;
+  const auto& filter = registry_.find(setup.options.filter).options;
   rows.insert(rows.end(), filter.begin(), filter.end());
-  for (auto& row : rows) row.value = valueOf(row, setup_.parameters);
+  for (auto& row : rows) row.value = valueOf(row, setup.parameters);
   return rows;
 }
 
-std::vector<OptionDescription> Localizer::allOptions() const {
-  std::vector<OptionDescription> rows = effectiveOptions();
+std::vector<OptionDescription> SetupReader::allOptions(const Setup& setup) const {
+  std::vector<OptionDescription> rows = effectiveOptions(setup);
   std::set<std::string> keys;
   for (const auto& row : rows) keys.insert(row.key);
   for (const auto& name : registry_.names()) {
     for (const auto& option : registry_.find(name).options) {
       if (!keys.insert(option.key).second) continue;
       rows.push_back(option);
-      rows.back().value = valueOf(option, setup_.parameters);
+      rows.back().value = valueOf(option, setup.parameters);
     }
   }
   for (auto& row : rows) {

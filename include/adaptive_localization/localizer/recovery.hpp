@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/localizer/confidence.hpp"
+#include "adaptive_localization/localizer/hypotheses.hpp"
+#include "adaptive_localization/localizer/status.hpp"
+#include "adaptive_localization/localizer/usual_error.hpp"
+#include "adaptive_localization/map/range_error.hpp"
+
+namespace adaptive_localization {
+
+/// Answers "where else could the robot be?", for all cores alike; nobody else searches the map for
+/// a robot that is believed to be somewhere.
+///
+/// While scans fit where the core believes to be, at most as badly as is usual, there is one place
+/// and nothing to do. When one does not, when the core jumps, after a start from anywhere and to
+/// verify an initial pose, all places that explain the scan become hypotheses beside the one
+/// believed in, which starts with the odds that tracking has earned. The core's belief is moved
+/// once the odds rule out its place; "tracking" is said when no other place is left.
+class Recovery {
+ public:
+  Recovery(const ConfidenceOptions& options, Ground ground);
+
+  /// Starts anew from a prior.
+  void reset(const Prior& prior);
+
+  /// Another one's knowledge, on this one's ground.
+  void goOnFrom(const Recovery& other);
+
+  /// Whether a scan, taken about a pose, tells of what stands before the laser and not of where it
+  /// is: nearly all beams are too short.
+  bool isOccluded(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// Whether a scan contradicts the map at a pose, so that it is worth an update.
+  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// Takes note of an update of the core: the motion since the last one, where odometry expected
+  /// the robot to be, and what the core made of the observations.
+  void observe(const Pose2& motion, const Pose2& T_map_base_expected, const Estimate& estimate,
+               const Observations& observations);
+
+  /// The initial pose awaits its first scan, for which the robot need not move.
+  bool isUnverified(const Scan& scan) const;
+  void verify(const Estimate& estimate, const Observations& observations);
+
+  /// The core's place is ruled out by the odds and others are left: modes().
+  bool mustMove() const { return contradictions_ >= kContradictions; }
+
+  /// The pose to publish: the estimate if it may replace dead reckoning, else dead reckoning, or
+  /// the likely place that it is in.
+  Pose2 published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const;
+
+  /// The places where the robot may be, likeliest first; empty if there is no other than the
+  /// core's.
+  const std::vector<Mode>& modes() const { return modes_; }
+
+  Status status() const { return status_; }
+  const Confidence& fit() const { return confidence_; }
+
+  /// That the robot is at the core's place, [0, 1].
+  double confidence(const Pose2& T_map_base) const;
+
+ private:
+  static constexpr int kContradictions = 2;  // scans in a row
+
+  void open(const Pose2& T_map_base);
+  void settle();
+  bool isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const;
+  bool isCheckDue() const;
+  void race(const Pose2& T_map_base, const Observations& observations);
+  bool searchIsDue();
+  void search(const Observations& observations);
+  void conclude();
+  Status judge() const;
+  double shareOf(const Pose2& T_map_base) const;
+  bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
+
+  Ground ground_;
+  RangeError range_error_;
+  Confidence confidence_;
+  UsualError usual_;
+  Hypotheses hypotheses_;
+  std::vector<Mode> modes_;
+  Status status_{Status::kUninitialised};
+
+  bool is_settled_{true};  // there is one place, the core's
+  bool from_anywhere_{false};
+  bool was_tracking_{false};   // since the reset
+  bool is_unverified_{false};  // an initial pose that no scan could contradict yet
+  double prior_{0.0};          // log odds of the core's place against any other
+  double way_{0.0};            // since the last scan that counted, m or rad
+  double way_to_check_{0.0};   // until an initial pose is verified again, m or rad
+  double way_of_checks_{0.0};  // between verifications; 0: no more
+
+  bool searched_{false};   // since the race was opened, and something was found
+  bool explained_{false};  // some place explains the last scan
+  int unexplained_{0};     // scans in a row that do not fit the core's place
+  int contradictions_{0};  // scans in a row for which the odds ruled it out
+  int scans_until_search_{0};
+  int pause_{0};  // scans between searches that find nothing
+  double way_since_search_{0.0};
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/localizer/confidence.hpp"
+
+namespace adaptive_localization {
+
+struct LocalizerOptions {
+  std::string filter{"sa_kld"};
+  std::string preset{"recommended"};
+  std::string plugins;  // paths, separated by colons
+  int seed{1};
+  int threads{1};
+  double update_min_d{0.1};
+  double update_min_a{0.05};
+  bool recovery{false};
+  bool refine{false};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("filter", filter, Choices{}, "Filter core, by name.");
+    option("preset", preset, Choices{"recommended", "seed"},
+           "Values of options that are not given: what we recommend, or the literature's.");
+    option("plugins", plugins, Choices{},
+           "Shared libraries with filter cores of your own, separated by colons.");
+    option("seed", seed, kWhole, "", "Seed of all randomness.");
+    option("threads", threads, Range{1, 256}, "", "Threads used by one update.");
+    option("update_min_d", update_min_d, kNotNegative, "m",
+           "Distance to travel before the filter is updated.");
+    option("update_min_a", update_min_a, kNotNegative, "rad",
+           "Angle to turn before the filter is updated.");
+    option("recovery", recovery,
+           "Move the filter to the places that explain the scans once they rule out its own; "
+           "otherwise they only tell the status.");
+    option(
+        "refine", refine,
+        "Polish the filter's estimate by matching the scan with the map (no need with ekf_icp).");
+  }
+};
+
+/// What parameters say, with the preset's values filled in.
+struct Setup {
+  LocalizerOptions options;
+  ScanOptions scan;
+  ConfidenceOptions confidence;
+  Parameters parameters;
+};
+
+/// Reads parameters and compares them, knowing the filters and their options.
+class SetupReader {
+ public:
+  /// Loads the plug-ins that are named. Throws std::invalid_argument naming key, value and range.
+  Setup read(Parameters parameters);
+
+  const FilterRegistry& registry() const { return registry_; }
+
+  bool haveSameFilter(const Setup& a, const Setup& b) const;
+  bool haveSamePlaces(const Setup& a, const Setup& b) const;
+  bool haveSameMatcher(const Setup& a, const Setup& b) const;
+
+  /// All options of localizer and filter with the values in effect, given or default.
+  std::vector<OptionDescription> effectiveOptions(const Setup& setup) const;
+
+  /// The same, and then those that only the other filters have.
+  std::vector<OptionDescription> allOptions(const Setup& setup) const;
+
+ private:
+  void loadPlugins(const std::string& paths);
+
+  FilterRegistry registry_;
+  std::set<std::string> loaded_plugins_;
+};
+
+}  // namespace adaptive_localization

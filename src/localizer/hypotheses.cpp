@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/hypotheses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive_localization/ser/place.hpp"
+#include "ser/place_refiner.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kMargin = 6.0;       // log odds below the best at which a place is ruled out
+constexpr double kTolerance = 0.015;  // m
+constexpr double kToleranceShare = 0.25;
+constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
+constexpr double kScaleShare = 0.25;
+constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum over a scan's hits
+constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
+constexpr double kPlaceTurnStd = 0.03;  // rad
+
+Eigen::Matrix3d placeCovariance() {
+  return Eigen::Vector3d(kPlaceStd * kPlaceStd, kPlaceStd * kPlaceStd,
+                         kPlaceTurnStd * kPlaceTurnStd)
+      .asDiagonal();
+}
+
+/// Where a scan fits best about a pose. Hits can be drawn to the far side of a thin wall: ranges
+/// tell.
+Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
+  const Place moved = refiner.refine(T_map_base, kStiffness);
+  const Place stayed{T_map_base, refiner.error(T_map_base)};
+  const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
+  return is_better ? moved : stayed;
+}
+
+/// Of log odds.
+double loss(double error, double least, double usual) {
+  const double level = std::max(least, usual);
+  const double excess = error - (1.0 + kToleranceShare) * level - kTolerance;
+  return std::max(0.0, excess) / std::max(kScale, kScaleShare * level);
+}
+
+}  // namespace
+
+void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
+  if (isFinite(T_map_base) && !knows(T_map_base)) all_.push_back({T_map_base, log_odds});
+}
+
+bool Hypotheses::knows(const Pose2& T_map_base) const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    return areSamePlace(hypothesis.T_map_base, T_map_base);
+  });
+}
+
+double Hypotheses::bestOdds() const {
+  double best = all_.empty() ? 0.0 : all_.front().log_odds;
+  for (const Hypothesis& hypothesis : all_) best = std::max(best, hypothesis.log_odds);
+  return best;
+}
+
+void Hypotheses::ride(const Pose2& motion) {
+  for (Hypothesis& hypothesis : all_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
+}
+
+void Hypotheses::weigh(const Scan& scan, double share, double usual) {
+  const PlaceRefiner refiner(ground_.map, *ground_.field, scan, scan.max_range,
+                             RangeError::kTruncation);
+  least_error_ = RangeError::kTruncation;
+  for (Hypothesis& hypothesis : all_) {
+    const Place place = alignedWith(refiner, hypothesis.T_map_base);
+    hypothesis.T_map_base = place.T_map_base;
+    hypothesis.error = place.error;
+    least_error_ = std::min(least_error_, place.error);
+  }
+  for (Hypothesis& hypothesis : all_) {
+    hypothesis.log_odds -=
+        (hypothesis.is_new ? 1.0 : share) * loss(hypothesis.error, least_error_, usual);
+    hypothesis.is_new = false;
+  }
+}
+
+void Hypotheses::prune() {
+  std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
+    return a.log_odds > b.log_odds;
+  });
+  const double limit = bestOdds() - kMargin;
+  std::vector<Hypothesis> before;
+  before.swap(all_);
+  for (const Hypothesis& hypothesis : before) {
+    if (hypothesis.log_odds >= limit && !knows(hypothesis.T_map_base)) all_.push_back(hypothesis);
+  }
+}
+
+std::vector<Mode> Hypotheses::modes() const {
+  std::vector<Mode> modes;
+  double sum = 0.0;
+  for (const Hypothesis& hypothesis : all_) {
+    modes.push_back({hypothesis.T_map_base, placeCovariance(),
+                     std::exp(hypothesis.log_odds - all_.front().log_odds)});
+    sum += modes.back().mass;
+  }
+  for (Mode& mode : modes) mode.mass /= sum;
+  return modes;
+}
+
+}  // namespace adaptive_localization

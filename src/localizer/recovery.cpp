@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/recovery.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive_localization/ser/place.hpp"
+#include "adaptive_localization/ser/places.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+// Log odds of the core's place against any other.
+constexpr double kToldOdds = 9.0;   // of an initial pose
+constexpr double kFoundOdds = 3.0;  // of a place just found
+constexpr double kOddsPerMetre = 3.0;
+constexpr double kMostOdds = 12.0;      // by tracking
+constexpr double kLateMalus = 3.0;      // of places that an earlier search did not find
+constexpr double kOccludedShare = 0.9;  // of the odds that a scan leaves which sees nothing
+
+constexpr double kExplained = 0.2;    // m, mean range error of a scan that a place explains
+constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
+constexpr double kSearchWay = 1.0;    // m or rad between searches while places are left
+constexpr int kLongestPause = 8;      // scans between searches that find nothing
+constexpr double kWayOfChecks = 0.5;  // m or rad, to the second verification of an initial pose
+constexpr double kLastWayOfChecks = 10.0;
+constexpr double kOdometryJump = 3.0;  // m between updates
+constexpr double kLostFit = 0.2;       // below: the scan contradicts the map
+constexpr double kFoundFit = 0.5;      // above: it confirms it
+
+/// A hand before the laser looks like a corner of the map somewhere: a scan that sees hardly
+/// anything beyond arm's length is no evidence.
+bool isCovered(const Scan& scan) {
+  constexpr double kArm = 0.6;    // m
+  constexpr double kShare = 0.1;  // of the beams
+  const Eigen::Index far =
+      (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
+  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
+  return scan.hits() == 0 || static_cast<double>(far) < kShare * static_cast<double>(beams);
+}
+
+double wayOf(const Pose2& motion) {
+  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+}
+
+bool isSmallStep(const Pose2& from, const Pose2& to) {
+  constexpr double kSmall = 0.1;  // m, rad
+  const Pose2 step = between(from, to);
+  return std::hypot(step.x, step.y) < kSmall && std::abs(step.theta) < kSmall;
+}
+
+}  // namespace
+
+Recovery::Recovery(const ConfidenceOptions& options, Ground ground)
+    : ground_(ground),
+      range_error_(ground.map),
+      confidence_(options, ground.field),
+      usual_(*ground.map),
+      hypotheses_(ground) {}
+
+void Recovery::reset(const Prior& prior) {
+  const bool is_told = std::holds_alternative<Gaussian2>(prior);
+  from_anywhere_ = std::holds_alternative<Anywhere>(prior);
+  was_tracking_ = false;
+  is_unverified_ = is_told;
+  prior_ = is_told ? kToldOdds : kFoundOdds;
+  way_to_check_ = 0.0;
+  way_of_checks_ = is_told ? kWayOfChecks : 0.0;
+  unexplained_ = pause_ = scans_until_search_ = 0;
+  confidence_.reset();
+  settle();
+  is_settled_ = !from_anywhere_;
+  status_ = Status::kGlobalizing;
+}
+
+void Recovery::goOnFrom(const Recovery& other) {
+  const Ground ground = ground_;
+  const RangeError range_error = range_error_;
+  Confidence confidence = confidence_;
+  confidence.goOnFrom(other.confidence_);
+  *this = other;
+  confidence_ = confidence;
+  if (ground.map != ground_.map) usual_ = UsualError(*ground.map);
+  hypotheses_.standOn(ground);
+  range_error_ = range_error;
+  ground_ = ground;
+}
+
+bool Recovery::isOccluded(const Pose2& T_map_base, const Scan& scan) const {
+  constexpr double kShortShare = 0.7;
+  return isCovered(scan) || range_error_.at(T_map_base, scan).short_share > kShortShare;
+}
+
+bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+  return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < kLostFit;
+}
+
+void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
+                       const Estimate& estimate, const Observations& observations) {
+  const Pose2& T_map_base = estimate.T_map_base;
+  confidence_.observe(estimate, observations);
+  hypotheses_.ride(motion);
+  way_ += wayOf(motion);
+  way_since_search_ += wayOf(motion);
+  way_to_check_ -= wayOf(motion);
+  if (std::hypot(motion.x, motion.y) > kOdometryJump) prior_ = 0.0;
+  if (isCovered(observations.scan)) {
+    prior_ *= kOccludedShare;
+    return conclude();
+  }
+  const double error = range_error_.at(T_map_base, observations.scan).error;
+  unexplained_ = error > usual_.limit() ? unexplained_ + 1 : 0;
+  if (unexplained_ == 0) {
+    usual_.observe(error);
+    pause_ = scans_until_search_ = 0;
+    const double earned = prior_ + kOddsPerMetre * std::hypot(motion.x, motion.y);
+    if (status_ == Status::kTracking) prior_ = std::max(prior_, std::min(kMostOdds, earned));
+  }
+  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base) || isCheckDue())) {
+    open(T_map_base_expected);
+  }
+  if (!is_settled_) {
+    race(T_map_base, observations);
+    if (is_settled_ && unexplained_ > 0) usual_.observe(error);  // nothing else is better
+  }
+  conclude();
+}
+
+bool Recovery::isUnverified(const Scan& scan) const {
+  return is_unverified_ && ground_.places->isReadyFor(scan);
+}
+
+void Recovery::verify(const Estimate& estimate, const Observations& observations) {
+  if (isCovered(observations.scan)) return;
+  open(estimate.T_map_base);
+  race(estimate.T_map_base, observations);
+  conclude();
+}
+
+/// Where a scan does not fit, or the core jumps, other places are worth a thought: not at each scan
+/// as long as no other place is better.
+bool Recovery::isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const {
+  const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
+  if (had_place && !areSamePlace(T_map_base_expected, T_map_base)) return true;
+  return unexplained_ > 0 && scans_until_search_ <= 0;
+}
+
+bool Recovery::isCheckDue() const {
+  return is_unverified_ || (way_of_checks_ > 0.0 && way_to_check_ <= 0.0);
+}
+
+void Recovery::open(const Pose2& T_map_base) {
+  const int pause = pause_;
+  settle();
+  is_settled_ = false;
+  pause_ = pause;
+  scans_until_search_ = 0;
+  hypotheses_.add(T_map_base, prior_);
+}
+
+void Recovery::settle() {
+  is_settled_ = true;
+  searched_ = explained_ = false;
+  contradictions_ = 0;
+  way_ = kNewWay;  // the first scan counts in full
+  way_since_search_ = 0.0;
+  hypotheses_.clear();
+  modes_.clear();
+}
+
+/// Where the core believes to be counts as well, once something is known, whether the search finds
+/// it or not.
+void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
+  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.bestOdds() - kLateMalus);
+  if (searchIsDue()) search(observations);
+  hypotheses_.weigh(observations.scan, std::min(1.0, way_ / kNewWay), usual_.value());
+  hypotheses_.prune();
+  way_ = 0.0;
+  modes_ = hypotheses_.modes();
+  explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
+  contradictions_ = explained_ && !hypotheses_.knows(T_map_base) ? contradictions_ + 1 : 0;
+  if (!searched_ || modes_.size() != 1 || !areSamePlace(modes_[0].T_map_base, T_map_base)) return;
+  const int pause = pause_;
+  settle();
+  prior_ = std::max(prior_, kFoundOdds);
+  pause_ = unexplained_ > 0 ? std::min(kLongestPause, 2 * pause + 1) : 0;
+  scans_until_search_ = pause_;
+}
+
+/// While no place explains the scans each may be the one that tells, but searching is not free.
+bool Recovery::searchIsDue() {
+  if (!searched_ || !explained_) return --scans_until_search_ < 0;
+  return way_since_search_ > kSearchWay;
+}
+
+void Recovery::search(const Observations& observations) {
+  const std::vector<Place>& places = ground_.places->search(observations);
+  const bool is_answer = ground_.places->isReadyFor(observations.scan);
+  if (!is_answer) return;
+  if (way_of_checks_ > 0.0) {
+    is_unverified_ = false;
+    way_to_check_ = way_of_checks_;
+    way_of_checks_ = way_of_checks_ > kLastWayOfChecks ? 0.0 : 1.5 * way_of_checks_;
+  }
+  way_since_search_ = 0.0;
+  const double entry = searched_ ? hypotheses_.bestOdds() - kLateMalus : 0.0;
+  for (const Place& place : places) hypotheses_.add(place.T_map_base, entry);
+  const bool is_found = !places.empty() && places.front().error < kExplained;
+  pause_ = is_found ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
+  scans_until_search_ = pause_;
+  searched_ = searched_ || !hypotheses_.isEmpty();
+}
+
+void Recovery::conclude() {
+  status_ = judge();
+  was_tracking_ = was_tracking_ || status_ == Status::kTracking;
+}
+
+/// An initial pose is not "tracking" before a scan could contradict it.
+Status Recovery::judge() const {
+  const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
+  if (is_unverified_) return Status::kGlobalizing;
+  if (!is_settled_) {
+    const bool fits = confidence_.latestFit() >= kFoundFit;
+    return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
+  }
+  const bool was_lost = status_ == Status::kLost || !was_tracking_;
+  const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
+  const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);
+  if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
+  return confidence_.isCompact() && fits ? Status::kTracking : nowhere;
+}
+
+double Recovery::shareOf(const Pose2& T_map_base) const {
+  if (is_settled_) return 1.0;
+  for (const Mode& mode : modes_) {
+    if (areSamePlace(mode.T_map_base, T_map_base)) return mode.mass;
+  }
+  return 0.0;
+}
+
+double Recovery::confidence(const Pose2& T_map_base) const {
+  return confidence_.value() * shareOf(T_map_base);
+}
+
+/// A robot that was known to be somewhere is there until that place is ruled out and another one,
+/// that explains the scan well, is likelier than all others: what a core makes of a blocked laser
+/// is no reason to jump.
+bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
+  constexpr double kRuledOut = 0.05;  // mass
+  constexpr double kLikely = 0.5;     // mass
+  constexpr double kWell = 0.1;       // m
+  if (!was_tracking_ || status_ == Status::kTracking) return true;
+  if (status_ != Status::kAmbiguous) return false;
+  if (isSmallStep(T_map_base_by_odometry, T_map_base)) return true;
+  return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
+         shareOf(T_map_base) > kLikely;
+}
+
+Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const {
+  constexpr double kFair = 0.3;  // mass
+  if (isCorrection(T_map_base_by_odometry, estimate.T_map_base)) return estimate.T_map_base;
+  if (status_ != Status::kAmbiguous) return T_map_base_by_odometry;
+  for (const Mode& mode : modes_) {
+    const bool is_held = isSmallStep(T_map_base_by_odometry, mode.T_map_base);
+    if (is_held && mode.mass > kFair) return mode.T_map_base;
+  }
+  return T_map_base_by_odometry;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/range_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adaptive_localization {
+
+RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double max_range) const {
+  constexpr Eigen::Index kBeams = 90;  // are enough for a mean
+  constexpr double kShort = 0.25;      // m
+  const Eigen::Vector2d sensor = T_map_base * scan.position;
+  double sum = 0.0;
+  int count = 0, too_short = 0;
+  const auto add = [&](double bearing, double range) {
+    const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + bearing)};
+    const double missing = ray_caster_.range(ray, max_range) - std::min(range, max_range);
+    sum += std::min(std::abs(missing), truncation_);
+    too_short += missing > kShort ? 1 : 0;
+    ++count;
+  };
+  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
+  const Eigen::Index stride = std::max<Eigen::Index>(1, beams / kBeams);
+  for (Eigen::Index i = 0; i < scan.range.size(); i += stride) {
+    add(scan.bearing[i], scan.range[i]);
+  }
+  for (Eigen::Index i = 0; i < scan.no_return_bearing.size(); i += stride) {
+    add(scan.no_return_bearing[i], max_range);
+  }
+  if (count == 0) return {truncation_, 0.0};
+  return {sum / count, static_cast<double>(too_short) / count};
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/hypotheses.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const Pose2 kTruth{2.0, 3.0, -0.5};
+const Pose2 kWrong{8.0, 1.0, 2.0};
+constexpr double kUsual = 0.02;  // m
+
+Scan scanAt(const Pose2& pose) {
+  return ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(asymmetricWorld(), pose).scan;
+}
+
+double massOf(const Hypotheses& hypotheses, const Pose2& pose) {
+  for (const Mode& mode : hypotheses.modes()) {
+    if (std::hypot(mode.T_map_base.x - pose.x, mode.T_map_base.y - pose.y) < 0.3) return mode.mass;
+  }
+  return 0.0;
+}
+
+TEST(Hypotheses, APlaceThatDoesNotFitIsRuledOut) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(kWrong, 0.0);
+  hypotheses.weigh(scanAt(kTruth), 1.0, kUsual);
+  hypotheses.prune();
+  EXPECT_FALSE(hypotheses.knows(kWrong));
+  ASSERT_EQ(hypotheses.modes().size(), 1U);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
+  EXPECT_LT(hypotheses.leastError(), 0.02);
+}
+
+TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
+  double before = 1.0;
+  for (const double usual : {0.02, 0.1, 0.3}) {  // m
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth, 0.0);
+    hypotheses.add(kWrong, 0.0);
+    hypotheses.weigh(scanAt(kTruth), 1.0, usual);
+    EXPECT_LE(massOf(hypotheses, kTruth), before);
+    before = massOf(hypotheses, kTruth);
+  }
+  EXPECT_LT(before, 0.95);
+}
+
+TEST(Hypotheses, OddsEarnedBeforeCount) {
+  Hypotheses hypotheses(symmetricWorld());
+  const Pose2 here{2.3, 1.0, 0.0};
+  const Pose2 twin{3.7, 2.0, kPi};
+  hypotheses.add(here, 3.0);
+  hypotheses.add(twin, 0.0);
+  const auto seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), twin);
+  for (int i = 0; i < 5; ++i) hypotheses.weigh(seen.scan, 1.0, kUsual);
+  EXPECT_NEAR(std::log(massOf(hypotheses, here) / massOf(hypotheses, twin)), 3.0, 0.01);
+}
+
+TEST(Hypotheses, RideOnTheOdometry) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.ride({1.0, 0.5, 0.2});
+  EXPECT_THAT(hypotheses.modes().front().T_map_base,
+              PoseNear(kTruth * Pose2{1.0, 0.5, 0.2}, 1e-9, 1e-9));
+}
+
+TEST(Hypotheses, AScanThatIsNotNewSaysNothingMore) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(kTruth * Pose2{0.8, 0.0, 0.0}, 2.0);
+  hypotheses.weigh(scanAt(kTruth), 1.0, 0.3);
+  const double mass = massOf(hypotheses, kTruth);
+  for (int i = 0; i < 20; ++i) hypotheses.weigh(scanAt(kTruth), 0.0, 0.3);
+  EXPECT_DOUBLE_EQ(massOf(hypotheses, kTruth), mass);
+}
+
+TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(kTruth * Pose2{0.1, 0.1, 0.1}, 0.0);
+  hypotheses.add({kNaN, 1.0, 0.0}, 0.0);
+  EXPECT_EQ(hypotheses.modes().size(), 1U);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

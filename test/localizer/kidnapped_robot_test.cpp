@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What becomes of a robot that is carried away, for all cores with which the localizer recovers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "adaptive_localization/localizer/localizer.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_drive.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const Pose2 kHere{1.2, 1.1, 0.3};
+const Pose2 kThere{8.2, 3.9, 2.5};
+
+const std::vector<std::string> kCoresThatRecover{"amcl", "samcl", "sa_kld", "pso",
+                                                 "ba",   "lbba",  "ekf_icp"};
+
+class KidnappedRobot : public testing::Test {
+ protected:
+  std::unique_ptr<Localizer> make(const std::string& name,
+                                  const std::string& preset = "recommended", int seed = 1) const {
+    Parameters parameters;
+    parameters.set("filter", name);
+    parameters.set("preset", preset);
+    parameters.set("seed", seed);
+    return std::make_unique<Localizer>(parameters, map_);
+  }
+
+  std::unique_ptr<Localizer> makeTracking(const std::string& name,
+                                          const std::string& preset = "recommended",
+                                          int seed = 1) const {
+    auto localizer = make(name, preset, seed);
+    localizer->reset(Gaussian2{kHere, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
+    for (int i = 0; i < 10; ++i) update(*localizer, {}, seenFrom(kHere));
+    return localizer;
+  }
+
+  /// One more scan, whether the robot moved or not.
+  static Localization update(Localizer& localizer, const Pose2& T_odom_base,
+                             const Observations& seen) {
+    localizer.requestUpdate();
+    return localizer.update(T_odom_base, seen);
+  }
+
+  Observations seenFrom(const Pose2& pose) const {
+    return ToyLaser{91, -2.0, 2.0, 10.0}.observe(map_, pose);
+  }
+
+  /// Scans from there until the localizer says so; 100 if it never does.
+  int scansUntilFound(Localizer& localizer, const Pose2& there, int most = 60) const {
+    for (int i = 1; i <= most; ++i) {
+      const Localization answer = update(localizer, {}, seenFrom(there));
+      if (testing::Value(answer.T_map_base, PoseNear(there, 0.15, 0.087))) return i;
+    }
+    return 100;
+  }
+
+  std::shared_ptr<const OccupancyGrid> map_ = asymmetricWorld();
+};
+
+TEST_F(KidnappedRobot, IsFoundWithinThreeScansByAllThatRecover) {
+  for (const std::string& core : kCoresThatRecover) {
+    for (int seed = 1; seed <= 3; ++seed) {
+      EXPECT_LE(scansUntilFound(*makeTracking(core, "recommended", seed), kThere), 3)
+          << core << ", seed " << seed;
+    }
+  }
+  EXPECT_EQ(scansUntilFound(*makeTracking("kld"), kThere), 100);
+}
+
+TEST_F(KidnappedRobot, IsFoundByThePresetsOfTheSources) {
+  for (const std::string core : {"samcl", "sa_kld"}) {
+    EXPECT_LE(scansUntilFound(*makeTracking(core, "seed"), kThere), 60) << core;
+  }
+}
+
+TEST_F(KidnappedRobot, WithACoveredLaserIsWhereOdometrySays) {
+  Observations covered = seenFrom(kHere);
+  Scan& scan = covered.scan;
+  for (Eigen::Index i = 0; i < scan.range.size(); ++i) {
+    scan.range[i] = 0.05F + 0.001F * static_cast<float>(i % 7);
+    scan.x[i] = scan.range[i] * std::cos(scan.bearing[i]);
+    scan.y[i] = scan.range[i] * std::sin(scan.bearing[i]);
+  }
+  const Pose2 step{0.05, 0.0, 0.02};
+  for (const std::string& core : kCoresThatRecover) {
+    const auto localizer = makeTracking(core);
+    Pose2 truth = kHere;
+    Pose2 T_odom_base;
+    for (int i = 0; i < 20; ++i) {
+      truth = truth * step;
+      T_odom_base = T_odom_base * step;
+      const Localization answer = update(*localizer, T_odom_base, covered);
+      EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1)) << core << ", scan " << i;
+    }
+    EXPECT_THAT(update(*localizer, T_odom_base, seenFrom(truth)).T_map_base,
+                PoseNear(truth, 0.1, 0.1))
+        << core;
+  }
+}
+
+TEST_F(KidnappedRobot, ThatMayBeAnywhereIsFoundInTheFirstScan) {
+  for (const std::string core : {"amcl", "sa_kld", "ekf_icp", "lbba"}) {
+    const auto localizer = make(core);
+    localizer->reset(Anywhere{});
+    EXPECT_EQ(scansUntilFound(*localizer, kHere), 1) << core;
+  }
+}
+
+TEST_F(KidnappedRobot, NeedsFewerParticlesWhereAScanLeavesFewPlaces) {
+  const auto localizer = make("sa_kld");
+  localizer->reset(Anywhere{});
+  EXPECT_EQ(localizer->hypotheses().size(), 20000);
+  update(*localizer, {}, seenFrom(kHere));
+  EXPECT_LT(localizer->hypotheses().size(), 5000);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/recovery.hpp"
+
+#include <gmock/gmock.h>
+
+#include "adaptive_localization/ser/places.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kWay = 0.3;  // after which a scan is new evidence, m
+
+Ground groundOf(const std::shared_ptr<const OccupancyGrid>& map) {
+  Ground ground(map);
+  ground.places =
+      std::make_shared<Places>(map, ground.field, EnergyGridOptions{}, GlobalSearchOptions{});
+  return ground;
+}
+
+/// Recovery in a world, told of a core that believes what the test says.
+struct Watched {
+  explicit Watched(std::shared_ptr<const OccupancyGrid> world)
+      : map(std::move(world)), recovery(ConfidenceOptions{}, groundOf(map)) {}
+
+  void tell(const Pose2& pose) {
+    recovery.reset(Gaussian2{pose, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+    believed = pose;
+  }
+
+  void see(const Pose2& truth, const Pose2& core, const Pose2& motion = {}) {
+    observe(laser.observe(map, truth), core, motion);
+  }
+
+  void observe(const Observations& seen, const Pose2& core, const Pose2& motion = {}) {
+    const Eigen::Matrix3d covariance = Eigen::Vector3d(1e-3, 1e-3, 1e-3).asDiagonal();
+    recovery.observe(motion, believed * motion, {core, covariance, {{core, covariance, 1.0}}},
+                     seen);
+    believed = core;
+  }
+
+  /// Tracked truly for some metres.
+  void track(Pose2& truth, double metres) {
+    for (double way = 0.0; way < metres; way += 0.1) {
+      const Pose2 motion{0.1, 0.0, 0.0};
+      truth = truth * motion;
+      see(truth, truth, motion);
+      ASSERT_EQ(recovery.status(), Status::kTracking);
+    }
+  }
+
+  double shareOf(const Pose2& pose) const {
+    for (const Mode& mode : recovery.modes()) {
+      if (distance(mode.T_map_base, pose) < 0.3) return mode.mass;
+    }
+    return 0.0;
+  }
+
+  std::shared_ptr<const OccupancyGrid> map;
+  Recovery recovery;
+  ToyLaser laser{91, -kPi / 2, kPi / 2, 12.0};
+  Pose2 believed;
+};
+
+/// Half a turn about the middle of symmetricWorld().
+Pose2 twinOf(const Pose2& pose) {
+  return {6.0 - pose.x, 3.0 - pose.y, wrapAngle(pose.theta + kPi)};
+}
+
+TEST(Recovery, ATrueInitialPoseIsTrackedFromTheFirstScanOn) {
+  Watched watched(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  watched.tell(truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kGlobalizing);  // nothing was seen yet
+  watched.see(truth, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+  EXPECT_TRUE(watched.recovery.modes().empty());
+}
+
+TEST(Recovery, AWrongInitialPoseIsLeftWhereAnotherPlaceExplainsTheScan) {
+  Watched watched(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  watched.tell({8.0, 1.0, 2.0});
+  for (int scan = 0; scan < 2; ++scan) {
+    EXPECT_FALSE(watched.recovery.mustMove());
+    watched.see(truth, watched.believed);
+    EXPECT_NE(watched.recovery.status(), Status::kTracking);
+  }
+  ASSERT_TRUE(watched.recovery.mustMove());
+  ASSERT_EQ(watched.recovery.modes().size(), 1U);
+  EXPECT_THAT(watched.recovery.modes().front().T_map_base, PoseNear(truth, 0.1, 0.05));
+}
+
+TEST(Recovery, FromAnywhereOneScanWillDoWhereNothingLooksAlike) {
+  Watched watched(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  watched.recovery.reset(Anywhere{});
+  EXPECT_EQ(watched.recovery.status(), Status::kGlobalizing);
+  watched.believed = truth;
+  watched.see(truth, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+TEST(Recovery, PlacesThatLookTheSameNeverDriftApart) {
+  Watched watched(symmetricWorld());
+  watched.recovery.reset(Anywhere{});
+  Pose2 truth{2.3, 1.0, 0.0};
+  watched.believed = truth;
+  for (int i = 0; i < 60; ++i) {
+    const Pose2 motion{i % 12 < 6 ? 0.2 : -0.2, 0.0, i % 2 ? 0.05 : -0.05};
+    truth = truth * motion;
+    watched.see(truth, truth, motion);  // the core believes in one of them only
+    ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous) << i;
+    ASSERT_EQ(watched.recovery.modes().size(), 2U) << i;
+    EXPECT_NEAR(watched.shareOf(truth), 0.5, 0.05) << i;
+    EXPECT_NEAR(watched.shareOf(twinOf(truth)), 0.5, 0.05) << i;
+  }
+}
+
+TEST(Recovery, ARobotThatStandsStillLearnsNothingNew) {
+  Watched watched(symmetricWorld());
+  watched.recovery.reset(Anywhere{});
+  const Pose2 truth{2.3, 1.0, 0.0};
+  watched.believed = truth;
+  watched.see(truth, truth);
+  const double share = watched.shareOf(truth);
+  for (int i = 0; i < 20; ++i) watched.see({2.31, 1.0, 0.01}, truth);
+  EXPECT_DOUBLE_EQ(watched.shareOf(truth), share);
+}
+
+TEST(Recovery, SomebodysWordHoldsAgainstATwin) {
+  Watched watched(symmetricWorld());
+  Pose2 truth{2.3, 1.0, 0.0};
+  watched.tell(truth);
+  for (int i = 0; i < 20; ++i) {
+    const Pose2 motion{i % 12 < 6 ? 0.2 : -0.2, 0.0, 0.0};
+    truth = truth * motion;
+    watched.see(truth, truth, motion);
+    ASSERT_EQ(watched.recovery.status(), Status::kTracking) << i;
+  }
+}
+
+TEST(Recovery, ACarriedRobotIsFoundAtTheSecondScan) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  const Pose2 after{2.0, 3.0, -0.5};
+  watched.see(after, watched.believed);
+  EXPECT_FALSE(watched.recovery.mustMove());
+  watched.see(after, watched.believed);
+  ASSERT_TRUE(watched.recovery.mustMove());
+  EXPECT_THAT(watched.recovery.modes().front().T_map_base, PoseNear(after, 0.1, 0.05));
+  Pose2 on = after;
+  for (int i = 0; i < 3; ++i) {  // the core goes there, and the robot turns
+    const Pose2 motion{0.0, 0.0, i == 0 ? 0.0 : kWay};
+    on = on * motion;
+    watched.see(on, on, motion);
+  }
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+TEST(Recovery, APlaceThatTheCoreLeftStaysInTheRace) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  const Pose2 wrong{7.5, 4.1, 2.0};
+  watched.see(truth, wrong);  // the core jumps for no reason
+  EXPECT_NE(watched.recovery.status(), Status::kTracking);
+  EXPECT_GT(watched.shareOf(truth), 0.99);
+  watched.see(truth, wrong);
+  EXPECT_TRUE(watched.recovery.mustMove());
+}
+
+TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{2.0, 3.0, -0.5};
+  watched.tell(truth);
+  watched.see(truth, truth);
+  std::vector<Eigen::Vector2d> cover;
+  for (int i = -80; i <= 80; ++i) {
+    const double range = 0.25 + 0.1 * (i % 3);
+    cover.emplace_back(range * std::cos(0.0175 * i), range * std::sin(0.0175 * i));
+  }
+  Observations covered = hitsAt(cover, 12.0);
+  covered.scan.view.start = -kPi / 2;
+  covered.scan.view.width = kPi;
+  EXPECT_TRUE(watched.recovery.isOccluded(truth, covered.scan));
+  EXPECT_FALSE(watched.recovery.isOccluded(truth, watched.laser.observe(watched.map, truth).scan));
+  for (int i = 0; i < 10; ++i) {
+    watched.observe(covered, truth);
+    EXPECT_FALSE(watched.recovery.mustMove()) << i;
+  }
+  EXPECT_EQ(watched.recovery.status(), Status::kLost);
+  const Pose2 motion{kWay, 0.0, 0.0};
+  watched.see(truth * motion, truth * motion, motion);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+TEST(Recovery, OddsOfTrackingGrowWithTheWay) {
+  const Pose2 twin_side{2.3, 1.0, 0.0};
+  double before = 0.0;
+  for (const double metres : {0.05, 1.0, 3.0}) {
+    Watched watched(symmetricWorld());
+    Pose2 truth = twin_side;
+    watched.recovery.reset(Gaussian2{truth, Eigen::Matrix3d::Identity()});
+    watched.believed = truth;
+    watched.see(truth, truth);
+    for (double way = 0.0; way < metres; way += 0.1) {
+      const Pose2 motion{std::fmod(way, 1.0) < 0.5 ? 0.1 : -0.1, 0.0, 0.0};
+      truth = truth * motion;
+      watched.see(truth, truth, motion);
+    }
+    watched.see(truth, twinOf(truth));  // the core jumps to the twin
+    const double here = watched.shareOf(truth);
+    EXPECT_GE(here, before) << metres;
+    EXPECT_GT(here, 0.5) << metres;
+    before = here;
+  }
+}
+
+TEST(Recovery, AScanWithoutHitsChangesNothing) {
+  Watched watched(asymmetricWorld());
+  watched.recovery.reset(Anywhere{});
+  watched.observe(Observations{}, {2.0, 3.0, 0.0});
+  EXPECT_EQ(watched.recovery.status(), Status::kGlobalizing);
+  EXPECT_TRUE(watched.recovery.modes().empty());
+}
+
+TEST(Recovery, AnotherOneGoesOnWithWhatItKnows) {
+  Watched one(symmetricWorld());
+  Watched other(symmetricWorld());
+  const Pose2 truth{2.3, 1.0, 0.0};
+  one.recovery.reset(Anywhere{});
+  one.believed = truth;
+  one.see(truth, truth);
+  other.recovery.goOnFrom(one.recovery);
+  EXPECT_EQ(other.recovery.status(), Status::kAmbiguous);
+  EXPECT_DOUBLE_EQ(other.shareOf(truth), one.shareOf(truth));
+}
+
+}  // namespace
+}  // namespace adaptive_localization

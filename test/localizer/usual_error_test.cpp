@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/usual_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+
+TEST(UsualError, FallsAtOnceAndRisesSlowly) {
+  UsualError usual;
+  const double first = usual.value();
+  for (int i = 0; i < 10; ++i) usual.observe(10.0);  // a covered laser
+  EXPECT_LT(usual.value(), 1.25 * first);
+  EXPECT_GT(usual.value(), 1.1 * first);
+  for (int i = 0; i < 10; ++i) usual.observe(0.01);
+  EXPECT_LT(usual.value(), 0.02);
+}
+
+TEST(UsualError, LimitsWhatIsNotUnusual) {
+  EXPECT_DOUBLE_EQ(UsualError(0.2).limit(), 0.4);
+  EXPECT_DOUBLE_EQ(UsualError(0.0).limit(), 0.1);  // a perfect map
+}
+
+TEST(UsualError, OfAMapIsLargeWhereWallsAreThick) {
+  const auto thin = toyWorld({"......", "######", "......"}, 0.05);
+  const auto thick = toyWorld({"......", "######", "......"}, 0.05, {}, 6);
+  const auto rock = toyWorld({"......", "######", "......"}, 0.05, {}, 60);
+  EXPECT_DOUBLE_EQ(UsualError(*thin).value(), 0.05);
+  EXPECT_NEAR(UsualError(*thick).value(), 0.15, 0.02);  // 0.3 m deep
+  EXPECT_DOUBLE_EQ(UsualError(*rock).value(), 0.2);
+  EXPECT_DOUBLE_EQ(UsualError(*toyWorld({"...", "..."}, 0.05)).value(), 0.05);
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/range_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const Pose2 kPlace{2.0, 3.0, -0.5};
+
+Scan scanAt(const Pose2& pose, int beams = 181) {
+  return ToyLaser{beams, -kPi / 2, kPi / 2, 12.0}.observe(asymmetricWorld(), pose).scan;
+}
+
+TEST(RangeError, IsNoughtWhereTheScanWasTaken) {
+  const RangeError error(asymmetricWorld());
+  EXPECT_NEAR(error.at(kPlace, scanAt(kPlace)).error, 0.0, 1e-5);
+  EXPECT_EQ(error.at(kPlace, scanAt(kPlace)).short_share, 0.0);
+  EXPECT_GT(error.at({8.0, 1.0, 2.0}, scanAt(kPlace)).error, 0.2);
+}
+
+TEST(RangeError, IsTheMeanOfTruncatedDifferences) {
+  Scan scan = scanAt(kPlace, 50);
+  ASSERT_EQ(scan.hits(), 50);
+  scan.range.head(10) += 0.1F;
+  scan.range.segment(10, 10) *= 0.1F;  // far too short
+  const RangeError::Fit fit = RangeError(asymmetricWorld()).at(kPlace, scan);
+  EXPECT_NEAR(fit.error, (10 * 0.1 + 10 * 0.5) / 50.0, 1e-3);
+  EXPECT_NEAR(fit.short_share, 0.2, 1e-9);
+}
+
+TEST(RangeError, NoReturnsCountAsTheLargestRange) {
+  Scan scan;
+  scan.max_range = 2.0;
+  scan.no_return_bearing = Eigen::ArrayXf::Zero(1);
+  const RangeError error(asymmetricWorld());
+  const Pose2 before_wall{3.5, 1.0, kPi};  // 3 m from it
+  EXPECT_NEAR(error.at(before_wall, scan).error, 0.0, 1e-9);
+  EXPECT_NEAR(error.at({2.3, 1.0, kPi}, scan).error, 2.0 - (2.3 - 0.475), 1e-5);
+}
+
+TEST(RangeError, AScanWithoutBeamsIsAsBadAsCanBe) {
+  EXPECT_EQ(RangeError(asymmetricWorld()).at(kPlace, Scan{}).error, RangeError::kTruncation);
+}
+
+}  // namespace
+}  // namespace adaptive_localization

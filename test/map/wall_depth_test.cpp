@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/wall_depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// A wall of so many cells across a hall, cells of 5 cm.
+std::shared_ptr<const OccupancyGrid> hallWithWall(int cells) {
+  Art art(40, std::string(60, '.'));
+  for (int row = 0; row < cells; ++row) art[static_cast<std::size_t>(15 + row)].assign(60, '#');
+  return toyWorld(art, 0.05);
+}
+
+int occupiedInColumn(const OccupancyGrid& map, int x) {
+  int count = 0;
+  for (int y = 0; y < map.lattice().height(); ++y) count += map.isOccupied({x, y}) ? 1 : 0;
+  return count;
+}
+
+TEST(WallDepth, IsThatOfTheWalls) {
+  for (const int cells : {2, 4, 6, 9}) {
+    EXPECT_NEAR(wallDepth(*hallWithWall(cells)), 0.05 * cells, 0.05) << cells;
+  }
+  EXPECT_EQ(wallDepth(*toyWorld({"..."}, 0.05)), 0.0);
+}
+
+TEST(WallDepth, OnlyWallsThatNoLaserSawFromBothSidesAreThick) {
+  EXPECT_FALSE(hasThickWalls(*toyWorld({"..."}, 0.05)));
+  EXPECT_FALSE(hasThickWalls(*hallWithWall(1)));
+  EXPECT_FALSE(hasThickWalls(*hallWithWall(2)));
+  EXPECT_TRUE(hasThickWalls(*hallWithWall(5)));
+}
+
+TEST(WallDepth, ThickWallsShrinkToTheirMiddles) {
+  for (const int cells : {5, 8}) {
+    const OccupancyGrid thin = withThinWalls(*hallWithWall(cells));
+    const double middle = 40 - 1 - (15 + 0.5 * (cells - 1));  // rows of art run downwards
+    for (int x = 5; x < 55; ++x) {
+      const int count = occupiedInColumn(thin, x);
+      EXPECT_GE(count, 1) << cells;
+      EXPECT_LE(count, 3) << cells;
+      for (int y = 0; y < 40; ++y) {
+        if (!thin.isOccupied({x, y})) continue;
+        EXPECT_NEAR(y, middle, 1.0) << cells;
+      }
+    }
+  }
+}
+
+TEST(WallDepth, UnknownGroundStaysUnknown) {
+  const auto map = toyWorld({"??????", "######", "######", "######", "######", "......"}, 0.05);
+  const OccupancyGrid thin = withThinWalls(*map);
+  for (int x = 0; x < 6; ++x) {
+    EXPECT_FALSE(thin.isFree({x, 5}));
+    EXPECT_FALSE(thin.isOccupied({x, 5}));
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
