@@ -118,6 +118,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   }
   if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base) || isCheckDue())) {
     open(T_map_base_expected);
+  } else if (is_settled_ && unexplained_ > 0) {
+    --scans_until_search_;
   }
   if (!is_settled_) {
     race(T_map_base, observations);
@@ -227,6 +229,7 @@ Status Recovery::judge() const {
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);
+  if (confidence_.contradictions() >= kContradictions) return nowhere;
   if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
   return confidence_.isCompact() && fits ? Status::kTracking : nowhere;
 }
