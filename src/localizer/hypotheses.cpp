@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "adaptive_localization/ser/place.hpp"
 #include "ser/place_refiner.hpp"
@@ -15,9 +16,11 @@ constexpr double kTolerance = 0.015;  // m
 constexpr double kToleranceShare = 0.25;
 constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
-constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum over a scan's hits
-constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
-constexpr double kPlaceTurnStd = 0.03;  // rad
+constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
+constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well
+constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
+constexpr double kPlaceStd = 0.05;       // m, of a place aligned with a scan
+constexpr double kPlaceTurnStd = 0.03;   // rad
 
 Eigen::Matrix3d placeCovariance() {
   return Eigen::Vector3d(kPlaceStd * kPlaceStd, kPlaceStd * kPlaceStd,
@@ -73,9 +76,12 @@ void Hypotheses::weigh(const Scan& scan, double share, double usual) {
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);
   }
+  const bool fits =
+      least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
+  const double most = fits ? std::numeric_limits<double>::infinity() : kMostWithoutFit;
   for (Hypothesis& hypothesis : all_) {
-    hypothesis.log_odds -=
-        (hypothesis.is_new ? 1.0 : share) * loss(hypothesis.error, least_error_, usual);
+    hypothesis.log_odds -= (hypothesis.is_new ? 1.0 : share) *
+                           std::min(most, loss(hypothesis.error, least_error_, usual));
     hypothesis.is_new = false;
   }
 }

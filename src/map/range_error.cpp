@@ -6,6 +6,22 @@
 
 namespace adaptive_localization {
 
+/// By how much a beam is too short, m; negative: too long.
+double RangeError::missing(const Pose2& ray, double range, double max_range) const {
+  constexpr double kRobot = 0.4;  // m, from the laser: no wall can be there, though the map has one
+  const auto from = [&](double start) {
+    const Pose2 ahead = ray * Pose2{start, 0.0, 0.0};
+    const RayCaster::Wall wall = ray_caster_.wall(ahead, max_range - start, wall_depth_);
+    const double z = range - start;
+    return z < wall.near ? wall.near - z : std::min(0.0, wall.far - z);
+  };
+  const double plain = from(0.0);
+  if (wall_depth_ == 0.0 || plain > -truncation_ || range < kRobot) return plain;
+  if (range + plain > kRobot) return plain;  // the wall is farther off
+  const double through = from(kRobot);
+  return std::abs(through) < std::abs(plain) ? through : plain;
+}
+
 RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double max_range) const {
   constexpr Eigen::Index kBeams = 90;  // are enough for a mean
   constexpr double kShort = 0.25;      // m
@@ -14,9 +30,9 @@ RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double
   int count = 0, too_short = 0;
   const auto add = [&](double bearing, double range) {
     const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + bearing)};
-    const double missing = ray_caster_.range(ray, max_range) - std::min(range, max_range);
-    sum += std::min(std::abs(missing), truncation_);
-    too_short += missing > kShort ? 1 : 0;
+    const double off = missing(ray, std::min(range, max_range), max_range);
+    sum += std::min(std::abs(off), truncation_);
+    too_short += off > kShort ? 1 : 0;
     ++count;
   };
   const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();

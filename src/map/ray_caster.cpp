@@ -42,10 +42,11 @@ void clip(double start, double direction, double size, double& enter, double& le
 
 }  // namespace
 
-double RayCaster::range(const Pose2& T_map_ray, double max_range) const {
+RayCaster::Wall RayCaster::wall(const Pose2& T_map_ray, double max_range, double depth) const {
+  const Wall none{max_range, max_range};
   const Lattice& lattice = grid_->lattice();
   const Pose2 ray = lattice.toLattice(T_map_ray);
-  if (!isFinite(ray)) return max_range;
+  if (!isFinite(ray)) return none;
   const double resolution = lattice.resolution();
   const double dx = std::cos(ray.theta);
   const double dy = std::sin(ray.theta);
@@ -56,22 +57,31 @@ double RayCaster::range(const Pose2& T_map_ray, double max_range) const {
   double end = max_range / resolution;
   clip(x, dx, lattice.width(), travelled, end);
   clip(y, dy, lattice.height(), travelled, end);
-  if (!(travelled <= end)) return max_range;
+  if (!(travelled <= end)) return none;
 
   const double skipped = travelled > 0.0 ? travelled + 1e-9 : 0.0;  // step over the map's border
   Axis column(x + skipped * dx, dx);
   Axis row(y + skipped * dy, dy);
   travelled = skipped;
+  const double inside = 0.5 / std::max(std::abs(dx), std::abs(dy));
+  Wall wall = none;
+  bool is_in_wall = false;
   while (travelled < end) {
     if (grid_->isOccupied({column.cell, row.cell})) {
-      const double inside = 0.5 / std::max(std::abs(dx), std::abs(dy));
-      return std::min((travelled + inside) * resolution, max_range);
+      const double at = std::min((travelled + inside) * resolution, max_range);
+      if (!is_in_wall) wall = {at, at};
+      if (at - wall.near > depth) return wall;
+      is_in_wall = true;
+      wall.far = at;
+      if (depth == 0.0) return wall;
+    } else if (is_in_wall) {
+      return wall;
     }
     Axis& nearer = column.next < row.next ? column : row;
     travelled = skipped + nearer.next;
     nearer.advance();
   }
-  return max_range;
+  return wall;
 }
 
 }  // namespace adaptive_localization

@@ -51,6 +51,18 @@ TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
   EXPECT_LT(before, 0.95);
 }
 
+/// Of something that the map does not have, say.
+TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(kWrong, 0.0);
+  Scan scan = scanAt(kTruth);
+  scan.range.head(40) *= 0.5F;
+  hypotheses.weigh(scan, 1.0, kUsual);
+  EXPECT_GT(hypotheses.leastError(), 0.1);
+  EXPECT_GT(massOf(hypotheses, kWrong), std::exp(-1.0) / (1.0 + std::exp(-1.0)) - 1e-9);
+}
+
 TEST(Hypotheses, OddsEarnedBeforeCount) {
   Hypotheses hypotheses(symmetricWorld());
   const Pose2 here{2.3, 1.0, 0.0};

@@ -26,7 +26,7 @@ TEST(RangeError, IsTheMeanOfTruncatedDifferences) {
   ASSERT_EQ(scan.hits(), 50);
   scan.range.head(10) += 0.1F;
   scan.range.segment(10, 10) *= 0.1F;  // far too short
-  const RangeError::Fit fit = RangeError(asymmetricWorld()).at(kPlace, scan);
+  const RangeError::Fit fit = RangeError(asymmetricWorld(), 0.5, 0.0).at(kPlace, scan);
   EXPECT_NEAR(fit.error, (10 * 0.1 + 10 * 0.5) / 50.0, 1e-3);
   EXPECT_NEAR(fit.short_share, 0.2, 1e-9);
 }
@@ -43,6 +43,34 @@ TEST(RangeError, NoReturnsCountAsTheLargestRange) {
 
 TEST(RangeError, AScanWithoutBeamsIsAsBadAsCanBe) {
   EXPECT_EQ(RangeError(asymmetricWorld()).at(kPlace, Scan{}).error, RangeError::kTruncation);
+}
+
+TEST(RangeError, ABeamMayEndAnywhereInAWall) {
+  const auto map = toyWorld({"..............", "..........####", ".............."}, 0.1, {}, 5);
+  const RangeError error(map);
+  const RangeError plain(map, 0.5, 0.0);
+  const Pose2 pose{1.0, 0.75, 0.0};  // the face is 4 m before it
+  const auto errorOf = [&](const RangeError& of, double range) {
+    return of.at(pose, hitsAt({{range, 0.0}}, 10.0).scan).error;
+  };
+  EXPECT_NEAR(errorOf(error, 3.9), 0.15, 1e-5);  // surfaces are in the middle of cells
+  EXPECT_NEAR(errorOf(error, 4.3), 0.0, 1e-5);
+  EXPECT_NEAR(errorOf(error, 4.65), 0.3, 0.051);  // beyond 0.35 m it is rock
+  EXPECT_NEAR(errorOf(plain, 4.3), 0.25, 1e-5);
+}
+
+TEST(RangeError, LooksThroughWhatTheMapHasWhereTheRobotStands) {
+  const Scan scan = scanAt(kPlace);
+  std::vector<std::int8_t> cells = asymmetricWorld()->cells();
+  const Lattice& lattice = asymmetricWorld()->lattice();
+  for (double x = -0.2; x <= 0.2; x += 0.05) {
+    for (double y = -0.2; y <= 0.2; y += 0.05) {
+      cells[lattice.index(lattice.cellAt({kPlace.x + x, kPlace.y + y}))] = OccupancyGrid::kOccupied;
+    }
+  }
+  const auto cluttered = std::make_shared<const OccupancyGrid>(lattice, cells);
+  EXPECT_LT(RangeError(cluttered).at(kPlace, scan).error, 0.01);
+  EXPECT_GT(RangeError(cluttered, 0.5, 0.0).at(kPlace, scan).error, 0.4);
 }
 
 }  // namespace

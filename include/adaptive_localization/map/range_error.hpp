@@ -8,23 +8,28 @@
 
 namespace adaptive_localization {
 
-/// How badly a scan fits a pose, for all who ask. With z_i the ranges read, z_i* those expected at
-/// the pose by ray casting, and c the truncation,
+/// How badly a scan fits a pose, for all who ask. With z_i the ranges read, [a_i, b_i] where the
+/// wall is that the beam is expected to meet, by ray casting, and c the truncation,
 ///
-///     e(pose) = (1 / I) sum_i min(|z_i* - z_i|, c)
+///     e(pose) = (1 / I) sum_i min(max(a_i - z_i, z_i - b_i, 0), c)
 ///
-/// A no-return counts as the largest range. Of scans with many beams every n-th is looked at.
+/// A beam may end anywhere in a wall, down to wall_depth below its face: maps that were made
+/// inexactly have thick walls. A wall that the map has where the robot stands is looked through if
+/// that explains a beam better. With a wall_depth of 0 it is the plain |z_i* - z_i|. A no-return
+/// counts as the largest range. Of scans with many beams every n-th is looked at.
 class RangeError {
  public:
   static constexpr double kTruncation = 0.5;  // m; an error beyond tells no more
+  static constexpr double kWallDepth = 0.35;  // m
 
   struct Fit {
     double error{kTruncation};  // mean per beam, m; the truncation for a scan without beams
     double short_share{0.0};    // of the beams: too short by 0.25 m and more
   };
 
-  explicit RangeError(std::shared_ptr<const OccupancyGrid> map, double truncation = kTruncation)
-      : ray_caster_(std::move(map)), truncation_(truncation) {}
+  explicit RangeError(std::shared_ptr<const OccupancyGrid> map, double truncation = kTruncation,
+                      double wall_depth = kWallDepth)
+      : ray_caster_(std::move(map)), truncation_(truncation), wall_depth_(wall_depth) {}
 
   /// Ranges, read and expected, are cut off at max_range, m.
   Fit at(const Pose2& T_map_base, const Scan& scan, double max_range) const;
@@ -33,8 +38,11 @@ class RangeError {
   }
 
  private:
+  double missing(const Pose2& ray, double range, double max_range) const;
+
   RayCaster ray_caster_;
   double truncation_;
+  double wall_depth_;
 };
 
 }  // namespace adaptive_localization

@@ -18,7 +18,16 @@ class RayCaster {
   /// since maps mark those in which beams ended: half a cell along x or y, whichever the ray runs
   /// along, behind the side by which it enters. Unknown cells and everything outside the map are
   /// transparent.
-  double range(const Pose2& T_map_ray, double max_range) const;
+  double range(const Pose2& T_map_ray, double max_range) const {
+    return wall(T_map_ray, max_range, 0.0).near;
+  }
+
+  /// Where along a ray the wall is that it meets first, m: the middles of its first cell and of the
+  /// last one before the ray leaves it, or comes `depth` deep.
+  struct Wall {
+    double near, far;
+  };
+  Wall wall(const Pose2& T_map_ray, double max_range, double depth) const;
 
  private:
   std::shared_ptr<const OccupancyGrid> grid_;
