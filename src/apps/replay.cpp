@@ -13,6 +13,7 @@
 #include "../ros/node_options.hpp"
 #include "adaptive_localization/core/error_text.hpp"
 #include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/eval/log_reader.hpp"
 #include "adaptive_localization/eval/plot.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"

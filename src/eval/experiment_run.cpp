@@ -9,8 +9,6 @@
 
 #include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/eval/start.hpp"
-#include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
@@ -76,21 +74,6 @@ std::optional<DriveBound> makeBound(const ExperimentSite& site, const Experiment
 }
 
 }  // namespace
-
-ExperimentSite loadSite(const ExperimentCase& of_case) {
-  constexpr double kSurveyCell = 0.05;  // m
-  constexpr double kSurveyTurn = 0.1;   // rad: nobody aligns a map with the walls
-  constexpr double kMargin = 0.01;      // m, as the simulation has it
-  const SimulationOptions options = SimulationOptions::from(of_case.simulation);
-  ExperimentSite site;
-  site.site = loadSite(of_case.world, options.furniture);
-  site.free_space =
-      std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
-  site.ground = std::make_shared<const OccupancyGrid>(
-      of_case.map.empty() ? rasterize(loadFloorPlan(of_case.world), kSurveyCell, kSurveyTurn)
-                          : loadMap(of_case.map));
-  return site;
-}
 
 void checkCore(const ExperimentSite& site, const ExperimentCase& of_case,
                const ExperimentCore& core) {

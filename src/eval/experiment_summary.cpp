@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "adaptive_localization/eval/metrics.hpp"
-#include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {
 namespace {

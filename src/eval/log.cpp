@@ -1,68 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/log.hpp"
 
-#include <cmath>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-
-#include "adaptive_localization/eval/carmen_log.hpp"
-#ifdef ADAPTIVE_LOCALIZATION_WITH_ROSBAG
-#include "adaptive_localization/eval/bag_log.hpp"
-#endif
-
 namespace adaptive_localization {
 namespace {
 
 constexpr double kLongestGap = 1.0;      // s; a reference is not interpolated further
 constexpr double kStampRounding = 1e-6;  // s
 
-bool isBag(const std::string& file) {
-  const std::string ending = ".bag";
-  if (file.size() >= ending.size() &&
-      file.compare(file.size() - ending.size(), ending.size(), ending) == 0) {
-    return true;
-  }
-  std::ifstream input(file);
-  std::string first_line;
-  return std::getline(input, first_line) && first_line.compare(0, 8, "#ROSBAG ") == 0;
-}
-
-Log readBag(const LogRequest& request) {
-#ifdef ADAPTIVE_LOCALIZATION_WITH_ROSBAG
-  return readBagLog(request);
-#else
-  throw std::invalid_argument("bag '" + request.file +
-                              "': this program was built without rosbag; only CARMEN logs work");
-#endif
-}
-
-std::string describeRange(const LogRequest& request) {
-  if (std::isinf(request.begin) && std::isinf(request.end)) return "";
-  std::ostringstream text;
-  text.precision(16);
-  text << " between the stamps " << request.begin << " and " << request.end;
-  return text.str();
-}
-
 }  // namespace
 
 bool isWanted(double stamp, const LogRequest& request) {
   return stamp >= request.begin - kStampRounding && stamp <= request.end + kStampRounding;
-}
-
-Log readLog(const LogRequest& request) {
-  if (!std::ifstream(request.file)) {
-    throw std::invalid_argument("log '" + request.file + "': cannot be opened");
-  }
-  Log log = isBag(request.file) ? readBag(request) : readCarmenLog(request);
-  if (log.scans.empty()) {
-    std::string message =
-        "log '" + request.file + "': no usable laser scan" + describeRange(request);
-    for (const auto& warning : log.warnings) message += "; " + warning;
-    throw std::invalid_argument(message);
-  }
-  return log;
 }
 
 void setReference(const Trajectory& reference, Log& log) {

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "adaptive_localization/eval/error_bound.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
@@ -29,7 +27,5 @@ class AccuracyJudge {
   int bound_scans_{0};
   ErrorBound scan_squares_, drive_squares_;
 };
-
-AccuracySummary summarizeAccuracy(const std::vector<ExperimentResult>& runs);
 
 }  // namespace adaptive_localization
