@@ -5,55 +5,47 @@
 #include <cmath>
 
 #include "adaptive_localization/eval/consistency.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-void addSquares(const ErrorBound& bound, ErrorBound& sums) {
-  sums.position += bound.position * bound.position;
-  sums.heading += bound.heading * bound.heading;
-}
-
 }  // namespace
 
 void AccuracyJudge::observe(double stamp, const Localization& answer, const Pose2& truth,
                             const std::optional<ScanBounds>& bounds) {
-  ++sums_.scans;
-  sums_.mean_m += distance(answer.T_map_base, truth);
-  sums_.mean_deg += kDegrees * std::abs(wrapAngle(answer.T_map_base.theta - truth.theta));
+  errors_m_.push_back(distance(answer.T_map_base, truth));
+  errors_deg_.push_back(kDegrees * std::abs(wrapAngle(answer.T_map_base.theta - truth.theta)));
   if (answer.updated) noteNormalized(stamp, answer, truth);
-  if (!bounds) return;
-  ++bound_scans_;
-  addSquares(bounds->of_scan, scan_squares_);
-  addSquares(bounds->of_drive, drive_squares_);
+  if (bounds) bounds_.push_back(*bounds);
 }
 
 void AccuracyJudge::noteNormalized(double stamp, const Localization& answer, const Pose2& truth) {
   const auto error = normalizedError(answer.estimate.T_map_base, answer.estimate.covariance, truth);
   if (!error) return;
-  sum_normalized_ += *error;
-  ++normalized_scans_;
+  normalized_.push_back(*error);
   const auto second = static_cast<std::size_t>(std::max(stamp, 0.0));
-  if (sums_.normalized.size() <= second) sums_.normalized.resize(second + 1);
-  if (!sums_.normalized[second]) sums_.normalized[second] = *error;
+  if (of_seconds_.size() <= second) of_seconds_.resize(second + 1);
+  if (!of_seconds_[second]) of_seconds_[second] = *error;
 }
 
 Accuracy AccuracyJudge::finish() const {
-  Accuracy result = sums_;
-  if (result.scans > 0) {
-    result.mean_m /= result.scans;
-    result.mean_deg /= result.scans;
-  }
-  if (normalized_scans_ > 0) result.normalized_mean = sum_normalized_ / normalized_scans_;
-  if (bound_scans_ > 0) {
-    const auto rms = [this](double squares) { return std::sqrt(squares / bound_scans_); };
-    result.scan_bound_m = rms(scan_squares_.position);
-    result.scan_bound_deg = kDegrees * rms(scan_squares_.heading);
-    result.drive_bound_m = rms(drive_squares_.position);
-    result.drive_bound_deg = kDegrees * rms(drive_squares_.heading);
-  }
+  Accuracy result;
+  result.scans = static_cast<int>(errors_m_.size());
+  result.mean_m = mean(errors_m_);
+  result.mean_deg = mean(errors_deg_);
+  result.normalized = of_seconds_;
+  if (!normalized_.empty()) result.normalized_mean = mean(normalized_);
+  if (bounds_.empty()) return result;
+  const auto rms = [this](ErrorBound ScanBounds::*of, double ErrorBound::*what) {
+    return rootMeanSquare(valuesOf(bounds_, [&](const auto& bounds) { return bounds.*of.*what; }));
+  };
+  result.scan_bound_m = rms(&ScanBounds::of_scan, &ErrorBound::position);
+  result.scan_bound_deg = kDegrees * rms(&ScanBounds::of_scan, &ErrorBound::heading);
+  result.drive_bound_m = rms(&ScanBounds::of_drive, &ErrorBound::position);
+  result.drive_bound_deg = kDegrees * rms(&ScanBounds::of_drive, &ErrorBound::heading);
   return result;
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 
-#include "adaptive_localization/eval/metrics.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/swarm/swarm_search.hpp"
 #include "swarm_fix_scene.hpp"
@@ -42,11 +40,6 @@ struct Sight {
 
 double msSince(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         std::max<double>(1.0, static_cast<double>(values.size()));
 }
 
 Outcome searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sight,
@@ -102,20 +95,18 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
           1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth));
     }
   }
-  cell.error_mm = meanOf(errors);
-  cell.matched_mm = meanOf(matched);
-  for (double& value : matched) value = std::pow(value - cell.matched_mm, 2);
-  cell.matched_std_mm = std::sqrt(meanOf(matched));
+  cell.error_mm = mean(errors);
+  cell.matched_mm = mean(matched);
+  cell.matched_std_mm = deviation(matched);
   cell.ms_median = quantile(times, 0.5);
-  cell.ms_mean = meanOf(times);
+  cell.ms_mean = mean(times);
   return cell;
 }
 
 }  // namespace
 
 double SwarmFixCell::meanIterations() const {
-  return std::accumulate(iterations.begin(), iterations.end(), 0.0) /
-         std::max<double>(1.0, static_cast<double>(iterations.size()));
+  return mean({iterations.begin(), iterations.end()});
 }
 
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {

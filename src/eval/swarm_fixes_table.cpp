@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 
-#include "adaptive_localization/eval/paired_test.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 
 namespace adaptive_localization {

@@ -8,7 +8,7 @@
 
 #include "adaptive_localization/eval/accuracy_summary.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
-#include "adaptive_localization/eval/share.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 
 namespace adaptive_localization {
 
