@@ -75,9 +75,8 @@ nlohmann::json toJson(const SearchMetrics& metrics) {
   json["right_if_unique"] = metrics.right_if_unique;
   json["nowhere"] = metrics.nowhere;
   json["places_mean"] = metrics.places_mean;
-  json["search_ms"]["median"] = metrics.ms_median;
-  json["search_ms"]["p95"] = metrics.ms_p95;
-  json["search_ms"]["max"] = metrics.ms_max;
+  json["search_ms"] = {
+      {"median", metrics.ms_median}, {"p95", metrics.ms_p95}, {"max", metrics.ms_max}};
   return json;
 }
 
