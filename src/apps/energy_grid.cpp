@@ -2,7 +2,6 @@
 // Builds, inspects and draws the energy grid of a map.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "adaptive_localization/eval/energy_picture.hpp"
 #include "adaptive_localization/eval/program.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
@@ -44,16 +44,6 @@ Scan simulate(const EnergyCommand& command, const std::shared_ptr<const Occupanc
   all_beams.laser_max_beams = 1000;
   return toScan(scan, LaserMount{}, all_beams);
 }
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-};
 
 std::shared_ptr<const EnergyGrid> build(const OccupancyGrid& map, const ScanGeometry& geometry,
                                         const EnergyGridOptions& options) {

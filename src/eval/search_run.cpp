@@ -2,12 +2,12 @@
 #include "adaptive_localization/eval/search_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
 #include "adaptive_localization/eval/statistics.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -49,11 +49,9 @@ SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& optio
       continue;  // counted by runLog, which reads the whole log
     }
     places.energyGrid(observations.scan);  // made once, not timed
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::vector<Place>& found = places.search(observations);
-    const std::chrono::duration<double, std::milli> taken =
-        std::chrono::steady_clock::now() - start;
-    times.push_back(taken.count());
+    times.push_back(watch.milliseconds());
     take(found, *scan.T_map_base, metrics);
   }
   if (metrics.scans == 0) {
