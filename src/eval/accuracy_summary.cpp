@@ -2,7 +2,6 @@
 #include "adaptive_localization/eval/accuracy_summary.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "adaptive_localization/eval/statistics.hpp"
 
@@ -56,9 +55,7 @@ void addConsistency(const Results& runs, AccuracySummary& summary) {
 
 AccuracySummary summarizeAccuracy(const Results& all) {
   using R = ExperimentResult;
-  Results runs;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(runs),
-               [](const R& run) { return run.accuracy.scans > 0; });
+  const Results runs = those(all, [](const R& run) { return run.accuracy.scans > 0; });
   AccuracySummary summary;
   summary.runs = static_cast<int>(runs.size());
   const auto means = valuesOf(runs, [](const R& run) { return run.accuracy.mean_m; });

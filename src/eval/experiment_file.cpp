@@ -112,8 +112,7 @@ std::vector<PlannedRun> ExperimentFile::missing(const std::vector<PlannedRun>& r
     if (found == settings.end()) {
       left.push_back(run);
     } else if (found->second != id.settings) {
-      throw std::invalid_argument("results '" + file_ + "': hold a run of " + id.experiment + "/" +
-                                  id.of_case + "/" + id.label +
+      throw std::invalid_argument("results '" + file_ + "': hold a run of " + id.name() +
                                   " that was made with other settings, expected a file of the "
                                   "same experiment, or a new one");
     }

@@ -74,9 +74,7 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
   row.right_at_end = shareOf(trials, [](const Trial& t) {
     return t.end_error_m < kLostDistance && t.end_error_deg < kLostHeading * 180.0 / kPi;
   });
-  std::vector<Trial> limited;
-  std::copy_if(trials.begin(), trials.end(), std::back_inserter(limited),
-               [](const Trial& t) { return t.within_s.has_value(); });
+  const auto limited = those(trials, [](const Trial& t) { return t.within_s.has_value(); });
   const auto in_time = [](const Trial& t) { return t.found_s && *t.found_s <= *t.within_s; };
   row.in_time = shareOf(limited, in_time);
   row.in_time_or_flagged =
@@ -112,14 +110,11 @@ void addHonesty(const Results& runs, ExperimentSummary& row) {
 
 void addModes(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
-  Results turned;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(turned),
-               [](const R& run) { return run.both_share.has_value(); });
+  const Results turned = those(runs, [](const R& run) { return run.both_share.has_value(); });
   row.both_at_end = shareOf(turned, [](const R& run) { return run.has_both_at_end; });
   row.both_share = mean(valuesOf(turned, [](const R& run) { return *run.both_share; }));
-  Results ambiguous;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(ambiguous),
-               [](const R& run) { return run.status.count("ambiguous") > 0; });
+  const Results ambiguous =
+      those(runs, [](const R& run) { return run.status.count("ambiguous") > 0; });
   row.first_mass = mean(valuesOf(ambiguous, &R::first_mass));
   row.second_mass = mean(valuesOf(ambiguous, &R::second_mass));
 }
@@ -152,8 +147,8 @@ ExperimentSummary summarizeRow(const Results& runs) {
   const ExperimentResult& first = runs.front();
   for (const auto& run : runs) {
     if (run.id.settings == first.id.settings) continue;
-    throw std::invalid_argument("results of " + first.id.experiment + "/" + first.id.of_case + "/" +
-                                first.id.label + " were made with different settings");
+    throw std::invalid_argument("results of " + first.id.name() +
+                                " were made with different settings");
   }
   ExperimentSummary row;
   row.experiment = first.id.experiment;

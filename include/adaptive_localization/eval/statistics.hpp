@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 namespace adaptive_localization {
@@ -12,6 +14,14 @@ std::vector<double> valuesOf(const std::vector<Item>& items, const Get& get) {
   std::vector<double> values;
   for (const auto& item : items) values.push_back(static_cast<double>(std::invoke(get, item)));
   return values;
+}
+
+/// The items of which something holds.
+template <class Item, class Predicate>
+std::vector<Item> those(const std::vector<Item>& items, const Predicate& holds) {
+  std::vector<Item> found;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(found), holds);
+  return found;
 }
 
 // All of these are 0 for no values.
