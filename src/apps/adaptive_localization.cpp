@@ -15,7 +15,6 @@
 #include "../ros/bag_player.hpp"
 #include "../ros/command_line.hpp"
 #include "../ros/localization_node.hpp"
-#include "adaptive_localization/core/error_text.hpp"
 
 namespace {
 
@@ -99,15 +98,9 @@ int main(int argc, char** argv) {
     std::cerr << "adaptive_localization: " << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
+  const ros::NodeHandle node;  // a signal before the master answers ends the process at once
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::signal(SIGALRM, onAlarm);
-  try {
-    run(bag, arguments);
-  } catch (...) {
-    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  return adaptive_localization::runNode([&](const ros::NodeHandle&) { run(bag, arguments); });
 }

@@ -2,12 +2,8 @@
 // Builds, inspects and draws the energy grid of a map.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -16,7 +12,9 @@
 
 #include "adaptive_localization/eval/energy_command.hpp"
 #include "adaptive_localization/eval/energy_picture.hpp"
+#include "adaptive_localization/eval/program.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
@@ -46,16 +44,6 @@ Scan simulate(const EnergyCommand& command, const std::shared_ptr<const Occupanc
   all_beams.laser_max_beams = 1000;
   return toScan(scan, LaserMount{}, all_beams);
 }
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
-};
 
 std::shared_ptr<const EnergyGrid> build(const OccupancyGrid& map, const ScanGeometry& geometry,
                                         const EnergyGridOptions& options) {
@@ -129,30 +117,11 @@ void run(const EnergyCommand& command) {
   }
 }
 
-int runEnergyGrid(const std::vector<std::string>& arguments) {
-  EnergyCommand command;
-  try {
-    command = parseEnergyCommand(arguments);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "energy_grid: " << error.what() << "\n\n" << energyUsage();
-    return EXIT_FAILURE;
-  }
-  if (command.wants_help) {
-    std::cout << energyUsage();
-    return EXIT_SUCCESS;
-  }
-  try {
-    run(command);
-  } catch (const std::exception& error) {
-    std::cerr << "energy_grid: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
-}
-
 }  // namespace
 }  // namespace adaptive_localization
 
 int main(int argc, char** argv) {
-  return adaptive_localization::runEnergyGrid({argv + 1, argv + argc});
+  namespace al = adaptive_localization;
+  return al::runProgram("energy_grid", al::energyUsage(), al::parseEnergyCommand, al::run,
+                        {argv + 1, argv + argc});
 }

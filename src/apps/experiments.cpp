@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <exception>
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/core/error_text.hpp"
 #include "adaptive_localization/eval/experiment_command.hpp"
 #include "adaptive_localization/eval/experiment_file.hpp"
 #include "adaptive_localization/eval/experiment_plot.hpp"
 #include "adaptive_localization/eval/experiment_summary.hpp"
+#include "adaptive_localization/eval/program.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/report.hpp"
 
@@ -56,6 +55,7 @@ void summarizeFiles(const ExperimentCommand& command) {
 }
 
 void run(const ExperimentCommand& command) {
+  if (command.is_summary) return summarizeFiles(command);
   const auto experiments = load(command);
   const auto runs = planRuns(experiments, command.shard, command.words);
   if (command.is_list) return list(runs);
@@ -77,34 +77,10 @@ void run(const ExperimentCommand& command) {
 }
 
 }  // namespace
-
-int runExperiments(const std::vector<std::string>& arguments) {
-  ExperimentCommand command;
-  try {
-    command = parseExperimentCommand(arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "experiments: " << error.what() << "\n\n" << experimentUsage();
-    return 1;
-  }
-  if (command.wants_help) {
-    std::cout << experimentUsage();
-    return 0;
-  }
-  try {
-    if (command.is_summary) {
-      summarizeFiles(command);
-    } else {
-      run(command);
-    }
-  } catch (...) {  // a plug-in may throw anything
-    std::cerr << "experiments: " << errorText() << '\n';
-    return 1;
-  }
-  return 0;
-}
-
 }  // namespace adaptive_localization
 
 int main(int argc, char** argv) {
-  return adaptive_localization::runExperiments({argv + 1, argv + argc});
+  namespace al = adaptive_localization;
+  return al::runProgram("experiments", al::experimentUsage(), al::parseExperimentCommand, al::run,
+                        {argv + 1, argv + argc});
 }

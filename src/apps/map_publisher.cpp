@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "../ros/command_line.hpp"
-#include "adaptive_localization/core/error_text.hpp"
 
 namespace {
 
@@ -27,13 +26,8 @@ int main(int argc, char** argv) {
     ROS_FATAL("usage: map_publisher MAP.yaml");
     return EXIT_FAILURE;
   }
-  const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
-  try {
+  return adaptive_localization::runNode([&](const ros::NodeHandle& node) {
     adaptive_localization::MapPublisher publisher(node, ros::NodeHandle("~"), arguments[0]);
     ros::spin();
-  } catch (...) {
-    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  });
 }

@@ -4,7 +4,6 @@
 
 #include "../ros/command_line.hpp"
 #include "../ros/simulator_node.hpp"
-#include "adaptive_localization/core/error_text.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -38,13 +37,8 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   ros::init(argc, argv, "p3dx_simulator");
-  const ros::NodeHandle node;  // outlives the try, else there is no log to say the error in
-  try {
+  return adaptive_localization::runNode([](const ros::NodeHandle& node) {
     adaptive_localization::SimulatorNode simulator(node, ros::NodeHandle("~"));
     ros::spin();
-  } catch (...) {
-    ROS_FATAL("%s", adaptive_localization::errorText().c_str());
-    return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
+  });
 }

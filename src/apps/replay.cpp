@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -11,9 +10,10 @@
 
 #include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
-#include "adaptive_localization/core/error_text.hpp"
 #include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/eval/log_reader.hpp"
 #include "adaptive_localization/eval/plot.hpp"
+#include "adaptive_localization/eval/program.hpp"
 #include "adaptive_localization/eval/progress_bar.hpp"
 #include "adaptive_localization/eval/replay_command.hpp"
 #include "adaptive_localization/eval/report.hpp"
@@ -129,30 +129,10 @@ void replay(const ReplayCommand& command) {
 }
 
 }  // namespace
-
-int runReplay(const std::vector<std::string>& arguments) {
-  ReplayCommand command;
-  try {
-    command = parseReplayCommand(arguments);
-  } catch (const std::exception& error) {
-    std::cerr << "replay: " << error.what() << "\n\n" << replayUsage();
-    return 1;
-  }
-  if (command.wants_help) {
-    std::cout << replayUsage();
-    return 0;
-  }
-  try {
-    replay(command);
-  } catch (...) {  // a plug-in may throw anything
-    std::cerr << "replay: " << errorText() << '\n';
-    return 1;
-  }
-  return 0;
-}
-
 }  // namespace adaptive_localization
 
 int main(int argc, char** argv) {
-  return adaptive_localization::runReplay({argv + 1, argv + argc});
+  namespace al = adaptive_localization;
+  return al::runProgram("replay", al::replayUsage(), al::parseReplayCommand, al::replay,
+                        {argv + 1, argv + argc});
 }

@@ -8,15 +8,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
 #include "../bag/bag_stream.hpp"
 #include "bag_log_frames.hpp"
-#include "bag_log_topics.hpp"
 
 namespace adaptive_localization {
 namespace {
+
+/// What a choice of topic is for: the message types that fit, the argument that names one, a word.
+struct TopicKind {
+  std::set<std::string> types;
+  std::string argument;
+  std::string what;
+};
 
 const TopicKind kScans{{"sensor_msgs/LaserScan"}, "--scan-topic", "laser scans"};
 const TopicKind kOdometry{{"nav_msgs/Odometry"}, "--odom-topic", "odometry"};
@@ -24,6 +31,41 @@ const TopicKind kReference{
     {"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped", "nav_msgs/Odometry"},
     "--truth-topic",
     "poses"};
+
+/// a, b, c; "none" for no words.
+std::string join(const std::set<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+using Types = std::map<std::string, std::string>;  // of messages, by topic
+
+/// Names of the topics whose type fits.
+std::set<std::string> topicsOf(const TopicKind& kind, const Types& types) {
+  std::set<std::string> names;
+  for (const auto& [topic, type] : types) {
+    if (kind.types.count(type)) names.insert(topic);
+  }
+  return names;
+}
+
+/// The topic that `wanted` names, or, if it is empty, the only one that fits; the slash in front
+/// does not matter. Throws std::invalid_argument naming the topics there are.
+std::string choose(const std::string& wanted, const TopicKind& kind, const Types& types) {
+  const auto candidates = topicsOf(kind, types);
+  if (wanted.empty()) {
+    if (candidates.size() == 1) return *candidates.begin();
+    if (candidates.empty()) throw std::invalid_argument("has no topic with " + kind.what);
+    throw std::invalid_argument("has several topics with " + kind.what + ", name one with " +
+                                kind.argument + ": " + join(candidates));
+  }
+  for (const auto& topic : candidates) {
+    if (withoutSlash(topic) == withoutSlash(wanted)) return topic;
+  }
+  throw std::invalid_argument(kind.argument + ": got '" + wanted + "', expected a topic with " +
+                              kind.what + " of this bag: " + join(candidates));
+}
 
 StampedPose toStampedPose(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
@@ -60,16 +102,16 @@ class BagReader {
   explicit BagReader(const LogRequest& request)
       : request_(request),
         stream_(request.file),
-        topics_(stream_.types()),
+        types_(stream_.types()),
         frames_(request.frames) {}
 
   Log read() {
-    scan_topic_ = topics_.choose(request_.scan_topic, kScans);
-    if (!request_.odom_topic.empty() || topics_.of(kOdometry).size() == 1) {
-      odom_topic_ = topics_.choose(request_.odom_topic, kOdometry);
+    scan_topic_ = choose(request_.scan_topic, kScans, types_);
+    if (!request_.odom_topic.empty() || topicsOf(kOdometry, types_).size() == 1) {
+      odom_topic_ = choose(request_.odom_topic, kOdometry, types_);
     }
     if (!request_.truth_topic.empty()) {
-      truth_topic_ = topics_.choose(request_.truth_topic, kReference);
+      truth_topic_ = choose(request_.truth_topic, kReference, types_);
     }
     readMessages();
     takeScans();
@@ -127,7 +169,7 @@ class BagReader {
       throw std::invalid_argument(
           "has no odometry: no transform from '" + request_.frames.odom_frame_id + "' to '" +
           request_.frames.base_frame_id +
-          "' at any scan; topics with odometry: " + join(topics_.of(kOdometry)));
+          "' at any scan; topics with odometry: " + join(topicsOf(kOdometry, types_)));
     }
     keepUsable(std::move(placed));
   }
@@ -145,20 +187,17 @@ class BagReader {
                               "' to the laser's frame " + join(unknown_frames) +
                               "; the laser is taken to sit at the robot's centre");
     }
-    if (frames_.refused() > 0) {
-      log_.warnings.push_back("transforms ignored, too old, repeated or not numbers: " +
-                              std::to_string(frames_.refused()));
-    }
-    if (without_odometry > 0) {
-      log_.skipped += without_odometry;
-      log_.warnings.push_back("scans skipped for want of odometry at their stamps: " +
-                              std::to_string(without_odometry));
-    }
+    const auto warnOf = [this](const std::string& what, int count) {
+      if (count > 0) log_.warnings.push_back(what + ": " + std::to_string(count));
+    };
+    warnOf("transforms ignored, too old, repeated or not numbers", frames_.refused());
+    warnOf("scans skipped for want of odometry at their stamps", without_odometry);
+    log_.skipped += without_odometry;
   }
 
   const LogRequest& request_;
   BagStream stream_;
-  BagTopics topics_;
+  const Types& types_;
   BagFrames frames_;
   std::string scan_topic_, odom_topic_, truth_topic_;
   std::vector<StampedPose> odometry_, reference_;

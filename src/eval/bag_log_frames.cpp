@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bag_log_topics.hpp"
-
 namespace adaptive_localization {
 namespace {
 
@@ -31,6 +29,10 @@ Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
 }
 
 }  // namespace
+
+std::string withoutSlash(const std::string& name) {
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
 
 void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (auto transform : message.transforms) {

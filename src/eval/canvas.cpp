@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 namespace adaptive_localization {
 namespace {
@@ -15,6 +17,7 @@ constexpr double kNarrowest = 8.0;  // m shown at least
 constexpr double kSlimmest = 0.6;   // width by height at least, so that the caption fits
 constexpr double kFarthest = 1e6;   // m; a pose further off is not drawn
 constexpr int kFractionBits = 4;    // OpenCV's sub-pixel coordinates
+constexpr double kTextSize = 0.55;
 const cv::Scalar kBlack(0, 0, 0);
 
 struct Box {
@@ -32,10 +35,6 @@ struct Box {
 
 bool canBeDrawn(const Pose2& pose) {
   return isFinite(pose) && std::abs(pose.x) < kFarthest && std::abs(pose.y) < kFarthest;
-}
-
-void putText(cv::Mat& image, const std::string& text, const cv::Point& at) {
-  cv::putText(image, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.55, kBlack, 1, cv::LINE_AA);
 }
 
 }  // namespace
@@ -112,7 +111,8 @@ void Canvas::drawScaleBar() {
   for (const auto& end : {left, right}) {
     cv::line(image_, end - cv::Point(0, 6), end + cv::Point(0, 6), kBlack, 2);
   }
-  putText(image_, cv::format("%.0f m", length), {left.x + pixels / 2 - 18, right.y - 12});
+  putText(image_, cv::format("%.0f m", length), {left.x + pixels / 2 - 18, right.y - 12},
+          kTextSize);
 }
 
 void Canvas::drawLegend(const std::vector<LegendRow>& rows,
@@ -120,14 +120,47 @@ void Canvas::drawLegend(const std::vector<LegendRow>& rows,
   int y = 22;
   for (const auto& row : rows) {
     cv::line(image_, {14, y - 5}, {46, y - 5}, row.colour, 4, cv::LINE_AA);
-    putText(image_, row.text, {56, y});
+    putText(image_, row.text, {56, y}, kTextSize);
     y += 24;
   }
   y = 22;
   for (const auto& line : caption) {
-    putText(image_, line, {180, y});
+    putText(image_, line, {180, y}, kTextSize);
     y += 24;
   }
+}
+
+cv::Scalar curveColour(std::size_t i) {
+  const cv::Scalar colours[] = {{180, 119, 31},  {14, 127, 255}, {44, 160, 44},   {40, 39, 214},
+                                {189, 103, 148}, {75, 86, 140},  {194, 119, 227}, {127, 127, 127}};
+  return colours[i % std::size(colours)];
+}
+
+void putText(cv::Mat& image, const std::string& text, const cv::Point& at, double size) {
+  cv::putText(image, text, at, cv::FONT_HERSHEY_SIMPLEX, size, kBlack, 1, cv::LINE_AA);
+}
+
+cv::Mat tiled(const std::vector<cv::Mat>& images, int columns) {
+  const int count = static_cast<int>(images.size());
+  const cv::Size size = images.at(0).size();
+  const int rows = (count + columns - 1) / columns;
+  cv::Mat whole(size.height * rows, size.width * std::min(count, columns), CV_8UC3,
+                cv::Scalar(255, 255, 255));
+  for (int i = 0; i < count; ++i) {
+    const cv::Point corner(size.width * (i % columns), size.height * (i / columns));
+    images[static_cast<std::size_t>(i)].copyTo(whole(cv::Rect(corner, size)));
+  }
+  return whole;
+}
+
+void saveImage(const cv::Mat& image, const std::string& what, const std::string& file) {
+  bool is_written = false;
+  try {
+    is_written = cv::imwrite(file, image);
+  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
+  }
+  if (is_written) return;
+  throw std::runtime_error(what + " '" + file + "': cannot be written, expected a name like x.png");
 }
 
 }  // namespace adaptive_localization

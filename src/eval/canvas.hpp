@@ -43,4 +43,15 @@ class Canvas {
   cv::Mat image_;
 };
 
+/// In the colours that curves of a chart have, one after the other.
+cv::Scalar curveColour(std::size_t i);
+
+void putText(cv::Mat& image, const std::string& text, const cv::Point& at, double size = 0.48);
+
+/// Images of one size side by side, so many in a row, in one.
+cv::Mat tiled(const std::vector<cv::Mat>& images, int columns);
+
+/// Throws std::runtime_error saying what the image is and which file could not be written.
+void saveImage(const cv::Mat& image, const std::string& what, const std::string& file);
+
 }  // namespace adaptive_localization

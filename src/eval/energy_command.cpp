@@ -2,24 +2,12 @@
 #include "adaptive_localization/eval/energy_command.hpp"
 
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <map>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-double readView(const std::string& text) {
-  char* end = nullptr;
-  const double view = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(view >= 1.0 && view <= 360.0)) {
-    throw std::invalid_argument("--view: got '" + text + "', expected 1 to 360 degrees");
-  }
-  return view;
-}
 
 Pose2 readQuery(const std::string& text) {
   Pose2 pose;
@@ -50,29 +38,21 @@ Builds the energy grid of a map and tells what is in it.
 
 EnergyCommand parseEnergyCommand(const std::vector<std::string>& arguments) {
   EnergyCommand command;
-  using Handler = std::function<void(const std::string&)>;
-  const auto option = [&](const char* key) {
-    return [&command, key](const std::string& text) { command.options.set(key, text); };
+  ArgumentParser parser;
+  const auto option = [&](const char* name, const char* key) {
+    parser.option(name, [&command, key](const auto& v) { command.options.set(key, v); });
   };
-  const std::map<std::string, Handler> handlers{
-      {"--map", [&](const std::string& text) { command.map = text; }},
-      {"--png", [&](const std::string& text) { command.picture = text; }},
-      {"--query", [&](const std::string& text) { command.query = readQuery(text); }},
-      {"--view", [&](const std::string& text) { command.view = readView(text); }},
-      {"--beams", option("energy_beams")},
-      {"--orientations", option("energy_orientations")},
-      {"--max-range", option("energy_max_range")}};
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    command.wants_help |= arguments[i] == "--help" || arguments[i] == "-h";
-    if (command.wants_help) return command;
-    const auto handler = handlers.find(arguments[i]);
-    if (handler == handlers.end()) {
-      throw std::invalid_argument("unknown argument '" + arguments[i] + "'" +
-                                  suggestion(arguments[i], handlers));
-    }
-    if (++i == arguments.size()) throw std::invalid_argument(handler->first + " needs a value");
-    handler->second(arguments[i]);
-  }
+  parser.text("--map", command.map);
+  parser.text("--png", command.picture);
+  parser.option("--query", [&](const auto& v) { command.query = readQuery(v); });
+  parser.option("--view", [&](const auto& v) {
+    command.view = toNumber("--view", v, {1.0, 360.0}, "1 to 360 degrees");
+  });
+  option("--beams", "energy_beams");
+  option("--orientations", "energy_orientations");
+  option("--max-range", "energy_max_range");
+  command.wants_help = !parser.parse(arguments);
+  if (command.wants_help) return command;
   if (command.map.empty()) throw std::invalid_argument("--map is missing");
   return command;
 }

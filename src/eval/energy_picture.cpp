@@ -2,9 +2,7 @@
 #include "adaptive_localization/eval/energy_picture.hpp"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 #include <vector>
 
 #include "canvas.hpp"
@@ -106,18 +104,6 @@ void draw(Canvas& canvas, const OccupancyGrid& map, const CellValues& values, co
   });
 }
 
-void save(const Canvas& canvas, const std::string& file) {
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(file, canvas.image());
-  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
-  }
-  if (!is_written) {
-    throw std::runtime_error("picture '" + file +
-                             "': cannot be written, expected a name like x.png");
-  }
-}
-
 }  // namespace
 
 void saveEnergies(const OccupancyGrid& map, const EnergyGrid& grid, const std::string& file) {
@@ -132,7 +118,7 @@ void saveEnergies(const OccupancyGrid& map, const EnergyGrid& grid, const std::s
                                          ? "energy, the same in all headings"
                                          : "mean energy over " +
                                                std::to_string(grid.orientations()) + " headings"});
-  save(canvas, file);
+  saveImage(canvas.image(), "picture", file);
 }
 
 void saveRegion(const OccupancyGrid& map, const EnergyGrid& grid, const EnergyGrid::Region& region,
@@ -150,7 +136,7 @@ void saveRegion(const OccupancyGrid& map, const EnergyGrid& grid, const EnergyGr
   canvas.drawScaleBar();
   canvas.drawLegend(scale.legend(), {"share of headings in the region of the scan (red)",
                                      std::to_string(region.size()) + " poses"});
-  save(canvas, file);
+  saveImage(canvas.image(), "picture", file);
 }
 
 }  // namespace adaptive_localization

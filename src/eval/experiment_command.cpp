@@ -1,42 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/experiment_command.hpp"
 
-#include <cstdlib>
-#include <functional>
-#include <map>
+#include <algorithm>
 #include <stdexcept>
 #include <thread>
 
-#include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-int toCount(const std::string& name, const std::string& text, long most = 1000000) {
-  char* end = nullptr;
-  const long number = std::strtol(text.c_str(), &end, 10);
-  if (text.empty() || *end != '\0' || number < 1 || number > most) {
-    throw std::invalid_argument(name + ": got '" + text + "', expected a whole number from 1 to " +
-                                std::to_string(most));
-  }
-  return static_cast<int>(number);
-}
+constexpr int kMost = 1000000;
 
 Shard toShard(const std::string& text) {
   const auto slash = text.find('/');
   if (slash != std::string::npos) {
     try {
-      const int count = toCount("", text.substr(slash + 1));
+      const int count = toCount("", text.substr(slash + 1), kMost);
       const int index = toCount("", text.substr(0, slash), count);
       return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
     } catch (const std::invalid_argument&) {  // said better below
     }
   }
   throw std::invalid_argument("--shard: got '" + text + "', expected i/n with i from 1 to n");
-}
-
-bool isOption(const std::string& argument) {
-  return argument.compare(0, 2, "--") == 0;
 }
 
 bool addOverride(const std::string& argument, Overrides& overrides) {
@@ -84,36 +70,22 @@ that RESULTS.jsonl holds already are not made again: after an interruption, say 
 ExperimentCommand parseExperimentCommand(const std::vector<std::string>& arguments) {
   ExperimentCommand command;
   command.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::map<std::string, bool*> flags{{"--summary", &command.is_summary},
-                                           {"--list", &command.is_list},
-                                           {"--quiet", &command.is_quiet},
-                                           {"--help", &command.wants_help},
-                                           {"-h", &command.wants_help}};
-  const std::map<std::string, std::function<void(const std::string&)>> handlers{
-      {"--out", [&](const auto& v) { command.out_file = v; }},
-      {"--json", [&](const auto& v) { command.json_file = v; }},
-      {"--plot", [&](const auto& v) { command.plot_file = v; }},
-      {"--jobs", [&](const auto& v) { command.jobs = toCount("--jobs", v, 1024); }},
-      {"--shard", [&](const auto& v) { command.shard = toShard(v); }},
-      {"--seeds", [&](const auto& v) { command.seeds = toCount("--seeds", v); }},
-      {"--only", [&](const auto& v) { command.words.push_back(v); }},
-  };
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
-    if (const auto flag = flags.find(name); flag != flags.end()) {
-      *flag->second = true;
-      if (command.wants_help) return command;
-    } else if (const auto handler = handlers.find(name); handler != handlers.end()) {
-      if (i + 1 == arguments.size() || isOption(arguments[i + 1])) {
-        throw std::invalid_argument(name + " needs a value");
-      }
-      handler->second(arguments[++i]);
-    } else if (isOption(name)) {
-      throw std::invalid_argument("unknown argument '" + name + "'" + suggestion(name, handlers));
-    } else if (!addOverride(name, command.overrides)) {
-      command.files.push_back(name);
-    }
-  }
+  ArgumentParser parser;
+  parser.flag("--summary", command.is_summary);
+  parser.flag("--list", command.is_list);
+  parser.flag("--quiet", command.is_quiet);
+  parser.text("--out", command.out_file);
+  parser.text("--json", command.json_file);
+  parser.text("--plot", command.plot_file);
+  parser.option("--jobs", [&](const auto& v) { command.jobs = toCount("--jobs", v, 1024); });
+  parser.option("--shard", [&](const auto& v) { command.shard = toShard(v); });
+  parser.option("--seeds", [&](const auto& v) { command.seeds = toCount("--seeds", v, kMost); });
+  parser.option("--only", [&](const auto& v) { command.words.push_back(v); });
+  parser.others([&](const auto& v) {
+    if (!addOverride(v, command.overrides)) command.files.push_back(v);
+  });
+  command.wants_help = !parser.parse(arguments);
+  if (command.wants_help) return command;
   check(command);
   return command;
 }

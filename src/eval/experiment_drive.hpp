@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "adaptive_localization/eval/experiment_site.hpp"
 
 namespace adaptive_localization {
 

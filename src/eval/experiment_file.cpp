@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/experiment_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
 
-#include "file_lock.hpp"
-
 namespace adaptive_localization {
 namespace {
+
+/// What is no file, as /dev/stdout, is nobody's; nor can files be locked in every file system.
+bool isTaken(int descriptor) {
+  struct stat status {};
+  const bool is_file = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  return is_file && flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
 
 using Key = std::tuple<std::string, std::string, std::string, int>;
 
@@ -52,21 +63,34 @@ std::vector<ExperimentResult> parse(const Lines& lines, const std::string& file)
   return results;
 }
 
-std::shared_ptr<const FileLock> lock(const std::string& file) {
-  try {
-    return std::make_shared<const FileLock>(file);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("results '" + file + "': " + error.what());
-  }
-}
-
 }  // namespace
+
+/// Keeps a file, which it makes if there is none, for one program alone, among those that lock it,
+/// until it is destroyed or the program ends, however it does.
+class FileLock {
+ public:
+  explicit FileLock(const std::string& file)
+      : descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {
+    const std::string what = "results '" + file + "': ";
+    if (descriptor_ < 0) throw std::invalid_argument(what + "cannot be written");
+    if (!isTaken(descriptor_)) return;
+    close(descriptor_);
+    throw std::invalid_argument(what + "is being written by another program");
+  }
+  ~FileLock() { close(descriptor_); }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int descriptor_;
+};
 
 std::vector<ExperimentResult> readResults(const std::string& file) {
   return parse(readLines(file), file);
 }
 
-ExperimentFile::ExperimentFile(const std::string& file) : file_(file), lock_(lock(file)) {
+ExperimentFile::ExperimentFile(const std::string& file)
+    : file_(file), lock_(std::make_shared<const FileLock>(file)) {
   if (std::filesystem::is_regular_file(file)) {
     const Lines lines = readLines(file);
     results_ = parse(lines, file);
@@ -88,8 +112,7 @@ std::vector<PlannedRun> ExperimentFile::missing(const std::vector<PlannedRun>& r
     if (found == settings.end()) {
       left.push_back(run);
     } else if (found->second != id.settings) {
-      throw std::invalid_argument("results '" + file_ + "': hold a run of " + id.experiment + "/" +
-                                  id.of_case + "/" + id.label +
+      throw std::invalid_argument("results '" + file_ + "': hold a run of " + id.name() +
                                   " that was made with other settings, expected a file of the "
                                   "same experiment, or a new one");
     }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "adaptive_localization/eval/metrics.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -32,20 +32,6 @@ bool hasMode(const std::vector<Mode>& modes, const Pose2& pose) {
 
 Pose2 turnedHalf(const Pose2& centre, const Pose2& pose) {
   return {2.0 * centre.x - pose.x, 2.0 * centre.y - pose.y, wrapAngle(pose.theta + kPi)};
-}
-
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double rms(const std::vector<double>& values) {
-  const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace
@@ -181,8 +167,8 @@ ExperimentResult ExperimentJudge::finish() {
   result_.first_mass = share(first_masses_, ambiguous_);
   result_.second_mass = share(second_masses_, ambiguous_);
   if (half_turn_) result_.both_share = share(both_, judged_modes_);
-  result_.rms_m = rms(errors_m_);
-  result_.rms_deg = kDegrees * rms(errors_rad_);
+  result_.rms_m = rootMeanSquare(errors_m_);
+  result_.rms_deg = kDegrees * rootMeanSquare(errors_rad_);
   result_.max_m = largest(errors_m_);
   result_.accuracy = accuracy_.finish();
   result_.particles_mean = mean(counts_);

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "accuracy_judge.hpp"
 #include "adaptive_localization/eval/experiment.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {
 

@@ -14,10 +14,6 @@
 namespace adaptive_localization {
 namespace {
 
-std::string nameOf(const RunId& id) {
-  return id.experiment + "/" + id.of_case + "/" + id.label;
-}
-
 bool hasWord(const std::string& name, const std::vector<std::string>& words) {
   return words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& word) {
            return name.find(word) != std::string::npos;
@@ -45,7 +41,7 @@ ExperimentResult make(const PlannedRun& run, const ExperimentSite& site) {
     result.id = run.id();
     return result;
   } catch (const std::exception& error) {
-    throw std::runtime_error(nameOf(run.id()) + ", seed " + std::to_string(run.seed) + ": " +
+    throw std::runtime_error(run.id().name() + ", seed " + std::to_string(run.seed) + ": " +
                              error.what());
   }
 }
@@ -69,8 +65,8 @@ std::vector<PlannedRun> planRuns(const std::vector<Experiment>& experiments, con
       for (const auto& core : of_case.cores) {
         for (int i = 0; i < of_case.seeds; ++i) {
           const PlannedRun run{&of_case, &core, of_case.first_seed + i};
-          if (!hasWord(nameOf({experiment.name, of_case.label, core.label, 0, ""}), words))
-            continue;
+          const RunId id{experiment.name, of_case.label, core.label, 0, ""};
+          if (!hasWord(id.name(), words)) continue;
           if (count++ % shard.count == shard.index - 1) runs.push_back(run);
         }
       }

@@ -2,11 +2,10 @@
 #include "adaptive_localization/eval/experiment_plot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
+
+#include "canvas.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -14,15 +13,7 @@ namespace {
 constexpr int kWidth = 760, kHeight = 440;                       // px, of a panel
 constexpr int kLeft = 64, kRight = 24, kTop = 44, kBottom = 52;  // px around the axes
 constexpr int kColumns = 2;
-const cv::Scalar kBlack(0, 0, 0), kGrey(220, 220, 220);
-const std::array<cv::Scalar, 8> kColours{{{180, 119, 31},
-                                          {14, 127, 255},
-                                          {44, 160, 44},
-                                          {40, 39, 214},
-                                          {189, 103, 148},
-                                          {75, 86, 140},
-                                          {194, 119, 227},
-                                          {127, 127, 127}}};
+const cv::Scalar kGrey(220, 220, 220), kWhite(255, 255, 255);
 
 using Rows = std::vector<const ExperimentSummary*>;
 
@@ -36,10 +27,6 @@ std::vector<Rows> panelsOf(const std::vector<ExperimentSummary>& summaries) {
     panels.back().push_back(&row);
   }
   return panels;
-}
-
-void putText(cv::Mat& image, const std::string& text, const cv::Point& at, double size = 0.48) {
-  cv::putText(image, text, at, cv::FONT_HERSHEY_SIMPLEX, size, kBlack, 1, cv::LINE_AA);
 }
 
 /// The axes of a panel; time is spread as its square root, so that the first second shows.
@@ -94,13 +81,13 @@ void drawLegend(cv::Mat& panel, const Rows& rows) {
   int y = kHeight - kBottom - 14 - 20 * static_cast<int>(rows.size() - 1);
   for (std::size_t i = 0; i < rows.size(); ++i, y += 20) {
     const int x = kWidth - kRight - 210;
-    cv::line(panel, {x, y - 5}, {x + 24, y - 5}, kColours[i % kColours.size()], 3, cv::LINE_AA);
+    cv::line(panel, {x, y - 5}, {x + 24, y - 5}, curveColour(i), 3, cv::LINE_AA);
     putText(panel, rows[i]->label, {x + 32, y});
   }
 }
 
 cv::Mat draw(const Rows& rows) {
-  cv::Mat panel(kHeight, kWidth, CV_8UC3, cv::Scalar(255, 255, 255));
+  cv::Mat panel(kHeight, kWidth, CV_8UC3, kWhite);
   double longest = 1.0;
   for (const auto* row : rows) {
     if (!row->found_s.empty()) longest = std::max(longest, row->found_s.back());
@@ -108,7 +95,7 @@ cv::Mat draw(const Rows& rows) {
   const Axes axes{longest};
   drawAxes(panel, axes, rows.front()->experiment + ": " + rows.front()->of_case);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    drawCurve(panel, axes, *rows[i], kColours[i % kColours.size()], thicknessOf(i, rows.size()));
+    drawCurve(panel, axes, *rows[i], curveColour(i), thicknessOf(i, rows.size()));
   }
   drawLegend(panel, rows);
   return panel;
@@ -117,23 +104,10 @@ cv::Mat draw(const Rows& rows) {
 }  // namespace
 
 void savePlot(const std::vector<ExperimentSummary>& summaries, const std::string& file) {
-  const auto panels = panelsOf(summaries);
-  const int count = std::max(1, static_cast<int>(panels.size()));
-  const int lines = (count + kColumns - 1) / kColumns;
-  cv::Mat image(kHeight * lines, kWidth * std::min(count, kColumns), CV_8UC3,
-                cv::Scalar(255, 255, 255));
-  for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
-    const cv::Rect place(kWidth * (i % kColumns), kHeight * (i / kColumns), kWidth, kHeight);
-    draw(panels[static_cast<std::size_t>(i)]).copyTo(image(place));
-  }
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(file, image);
-  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
-  }
-  if (!is_written) {
-    throw std::runtime_error("plot '" + file + "': cannot be written, expected a name like x.png");
-  }
+  std::vector<cv::Mat> panels;
+  for (const Rows& rows : panelsOf(summaries)) panels.push_back(draw(rows));
+  if (panels.empty()) panels.emplace_back(kHeight, kWidth, CV_8UC3, kWhite);
+  saveImage(tiled(panels, kColumns), "plot", file);
 }
 
 }  // namespace adaptive_localization

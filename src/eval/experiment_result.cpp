@@ -1,27 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/experiment_result.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "json.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 using Json = nlohmann::json;
 
-Json toJson(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
+// These call item(key, member) for all members, so that they are named in one place for writing and
+// for reading.
 
-std::optional<double> toOptional(const Json& json) {
-  if (json.is_null()) return std::nullopt;
-  return json.get<double>();
-}
-
-/// Calls item(key, member) for all members that are stored under their own names, so that they are
-/// named in one place for writing and for reading.
 template <class Stored, class Item>
-void visit(Stored& result, Item&& item) {
+void visitTrial(Stored& trial, Item&& item) {
+  item("kind", trial.kind);
+  item("pose", trial.T_map_base);
+  item("found_s", trial.found_s);
+  item("told_s", trial.told_s);
+  item("within_s", trial.within_s);
+  item("at", trial.at);
+  item("scans", trial.scans);
+  item("searching", trial.searching);
+  item("searching_tracking", trial.searching_tracking);
+  item("late_tracking", trial.late_tracking);
+  item("searching_ambiguous", trial.searching_ambiguous);
+  item("end_status", trial.end_status);
+  item("end_error_m", trial.end_error_m);
+  item("end_error_deg", trial.end_error_deg);
+  item("is_silent_failure", trial.is_silent_failure);
+}
+
+template <class Stored, class Item>
+void visitAccuracy(Stored& accuracy, Item&& item) {
+  item("scans", accuracy.scans);
+  item("mean_m", accuracy.mean_m);
+  item("mean_deg", accuracy.mean_deg);
+  item("normalized_mean", accuracy.normalized_mean);
+  item("normalized", accuracy.normalized);
+  item("scan_bound_m", accuracy.scan_bound_m);
+  item("scan_bound_deg", accuracy.scan_bound_deg);
+  item("drive_bound_m", accuracy.drive_bound_m);
+  item("drive_bound_deg", accuracy.drive_bound_deg);
+}
+
+template <class Stored, class Item>
+void visitResult(Stored& result, Item&& item) {
+  item("experiment", result.id.experiment);
+  item("case", result.id.of_case);
+  item("label", result.id.label);
+  item("seed", result.id.seed);
+  item("settings", result.id.settings);
   item("filter", result.filter);
   item("preset", result.preset);
   item("duration_s", result.duration_s);
@@ -49,87 +79,58 @@ void visit(Stored& result, Item&& item) {
   item("particles_max", result.particles_max);
   item("update_ms_median", result.update_ms_median);
   item("update_ms_max", result.update_ms_max);
+  item("both_share", result.both_share);
+  item("accuracy", result.accuracy);
+  item("trials", result.trials);
 }
 
-template <class Stored, class Item>
-void visitTrial(Stored& trial, Item&& item) {
-  item("at", trial.at);
-  item("scans", trial.scans);
-  item("searching", trial.searching);
-  item("searching_tracking", trial.searching_tracking);
-  item("late_tracking", trial.late_tracking);
-  item("searching_ambiguous", trial.searching_ambiguous);
-  item("end_status", trial.end_status);
-  item("end_error_m", trial.end_error_m);
-  item("end_error_deg", trial.end_error_deg);
-  item("is_silent_failure", trial.is_silent_failure);
+/// Writes a member.
+auto into(Json& json) {
+  return [&json](const char* key, const auto& value) { json[key] = value; };
 }
 
-Json toJson(const Trial& trial) {
-  Json json;
-  json["kind"] = toText(trial.kind);
-  json["pose"] = {trial.T_map_base.x, trial.T_map_base.y, trial.T_map_base.theta};
-  json["found_s"] = toJson(trial.found_s);
-  json["told_s"] = toJson(trial.told_s);
-  json["within_s"] = toJson(trial.within_s);
-  visitTrial(trial, [&](const char* key, const auto& value) { json[key] = value; });
-  return json;
+/// Reads one.
+auto outOf(const Json& json) {
+  return [&json](const char* key, auto& value) { json.at(key).get_to(value); };
 }
 
-/// Calls item(key, member) for all that may be missing.
-template <class Stored, class Item>
-void visitOptional(Stored& accuracy, Item&& item) {
-  item("normalized_mean", accuracy.normalized_mean);
-  item("scan_bound_m", accuracy.scan_bound_m);
-  item("scan_bound_deg", accuracy.scan_bound_deg);
-  item("drive_bound_m", accuracy.drive_bound_m);
-  item("drive_bound_deg", accuracy.drive_bound_deg);
+}  // namespace
+
+// By these names the JSON library finds them.
+
+void to_json(Json& json, const Pose2& pose) {
+  json = {pose.x, pose.y, pose.theta};
+}
+void from_json(const Json& json, Pose2& pose) {
+  pose = {json.at(0), json.at(1), json.at(2)};
 }
 
-Json toJson(const Accuracy& accuracy) {
-  Json json;
-  json["scans"] = accuracy.scans;
-  json["mean_m"] = accuracy.mean_m;
-  json["mean_deg"] = accuracy.mean_deg;
-  json["normalized"] = Json::array();
-  for (const auto& value : accuracy.normalized) json["normalized"].push_back(toJson(value));
-  visitOptional(accuracy, [&](const char* key, const auto& value) { json[key] = toJson(value); });
-  return json;
+void to_json(Json& json, Trial::Kind kind) {
+  json = toText(kind);
 }
-
-Accuracy toAccuracy(const Json& json) {
-  Accuracy accuracy;
-  json.at("scans").get_to(accuracy.scans);
-  json.at("mean_m").get_to(accuracy.mean_m);
-  json.at("mean_deg").get_to(accuracy.mean_deg);
-  for (const auto& value : json.at("normalized")) {
-    accuracy.normalized.push_back(toOptional(value));
-  }
-  visitOptional(accuracy, [&](const char* key, auto& value) { value = toOptional(json.at(key)); });
-  return accuracy;
-}
-
-Trial::Kind toKind(const std::string& text) {
-  for (const auto kind : {Trial::Kind::kKnownStart, Trial::Kind::kWrongStart, Trial::Kind::kStart,
-                          Trial::Kind::kKidnap}) {
-    if (toText(kind) == text) return kind;
+void from_json(const Json& json, Trial::Kind& kind) {
+  const auto text = json.get<std::string>();
+  for (const auto known : {Trial::Kind::kKnownStart, Trial::Kind::kWrongStart, Trial::Kind::kStart,
+                           Trial::Kind::kKidnap}) {
+    kind = known;
+    if (toText(kind) == text) return;
   }
   throw std::invalid_argument("'kind': got '" + text + "'");
 }
 
-Trial toTrial(const Json& json) {
-  Trial trial;
-  trial.kind = toKind(json.at("kind"));
-  const auto pose = json.at("pose").get<std::vector<double>>();
-  trial.T_map_base = {pose.at(0), pose.at(1), pose.at(2)};
-  trial.found_s = toOptional(json.at("found_s"));
-  trial.told_s = toOptional(json.at("told_s"));
-  trial.within_s = toOptional(json.at("within_s"));
-  visitTrial(trial, [&](const char* key, auto& value) { json.at(key).get_to(value); });
-  return trial;
+void to_json(Json& json, const Trial& trial) {
+  visitTrial(trial, into(json));
+}
+void from_json(const Json& json, Trial& trial) {
+  visitTrial(trial, outOf(json));
 }
 
-}  // namespace
+void to_json(Json& json, const Accuracy& accuracy) {
+  visitAccuracy(accuracy, into(json));
+}
+void from_json(const Json& json, Accuracy& accuracy) {
+  visitAccuracy(accuracy, outOf(json));
+}
 
 std::string toText(Trial::Kind kind) {
   switch (kind) {
@@ -146,16 +147,7 @@ std::string toText(Trial::Kind kind) {
 
 std::string toLine(const ExperimentResult& result) {
   Json json;
-  json["experiment"] = result.id.experiment;
-  json["case"] = result.id.of_case;
-  json["label"] = result.id.label;
-  json["seed"] = result.id.seed;
-  json["settings"] = result.id.settings;
-  visit(result, [&](const char* key, const auto& value) { json[key] = value; });
-  json["both_share"] = toJson(result.both_share);
-  json["accuracy"] = toJson(result.accuracy);
-  json["trials"] = Json::array();
-  for (const auto& trial : result.trials) json["trials"].push_back(toJson(trial));
+  visitResult(result, into(json));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -163,15 +155,7 @@ ExperimentResult fromLine(const std::string& line) {
   try {
     const Json json = Json::parse(line);
     ExperimentResult result;
-    json.at("experiment").get_to(result.id.experiment);
-    json.at("case").get_to(result.id.of_case);
-    json.at("label").get_to(result.id.label);
-    json.at("seed").get_to(result.id.seed);
-    json.at("settings").get_to(result.id.settings);
-    visit(result, [&](const char* key, auto& value) { json.at(key).get_to(value); });
-    result.both_share = toOptional(json.at("both_share"));
-    result.accuracy = toAccuracy(json.at("accuracy"));
-    for (const auto& trial : json.at("trials")) result.trials.push_back(toTrial(trial));
+    visitResult(result, outOf(json));
     return result;
   } catch (const std::exception& error) {
     throw std::invalid_argument(std::string("no result of an experiment: ") + error.what());

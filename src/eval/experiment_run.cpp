@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/experiment_run.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
 
 #include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/eval/start.hpp"
-#include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-/// Processor time of this thread, which other runs beside it do not lengthen. ms.
-double threadMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 /// The number of threads is the process's, so localizers are made one after the other.
 std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const ExperimentCore& core,
@@ -37,22 +27,17 @@ std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const Exper
 
 Prior priorOf(const ExperimentCase& of_case, const Pose2& told) {
   if (!of_case.is_start_known) return Anywhere{};
-  const StartOptions options;
-  Gaussian2 prior;
-  prior.mean = told;
-  prior.covariance.diagonal() << options.initial_cov_xx, options.initial_cov_yy,
-      options.initial_cov_aa;
-  return prior;
+  return StartOptions().around(told);
 }
 
 JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount& mount) {
-  const double start = threadMilliseconds();
+  const Stopwatch watch(CLOCK_THREAD_CPUTIME_ID);  // which other runs beside it do not lengthen
   Observations observations;
   observations.stamp = seen.scan.stamp;
   observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
-  judged.update_ms = threadMilliseconds() - start;
+  judged.update_ms = watch.milliseconds();
   judged.stamp = seen.scan.stamp;
   judged.T_odom_base = seen.T_odom_base;
   judged.T_map_base = seen.T_map_base;
@@ -76,21 +61,6 @@ std::optional<DriveBound> makeBound(const ExperimentSite& site, const Experiment
 }
 
 }  // namespace
-
-ExperimentSite loadSite(const ExperimentCase& of_case) {
-  constexpr double kSurveyCell = 0.05;  // m
-  constexpr double kSurveyTurn = 0.1;   // rad: nobody aligns a map with the walls
-  constexpr double kMargin = 0.01;      // m, as the simulation has it
-  const SimulationOptions options = SimulationOptions::from(of_case.simulation);
-  ExperimentSite site;
-  site.site = loadSite(of_case.world, options.furniture);
-  site.free_space =
-      std::make_shared<const FreeSpace>(site.site.world, options.base.robot_radius + kMargin);
-  site.ground = std::make_shared<const OccupancyGrid>(
-      of_case.map.empty() ? rasterize(loadFloorPlan(of_case.world), kSurveyCell, kSurveyTurn)
-                          : loadMap(of_case.map));
-  return site;
-}
 
 void checkCore(const ExperimentSite& site, const ExperimentCase& of_case,
                const ExperimentCore& core) {

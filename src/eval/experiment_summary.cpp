@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "adaptive_localization/eval/metrics.hpp"
-#include "experiment_accuracy.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -44,27 +43,6 @@ Share shareOf(const std::vector<Item>& items, const Predicate& holds) {
   return wilson(static_cast<int>(count), static_cast<int>(items.size()));
 }
 
-template <class Item, class Get>
-std::vector<double> valuesOf(const std::vector<Item>& items, const Get& get) {
-  std::vector<double> values;
-  for (const auto& item : items) values.push_back(static_cast<double>(get(item)));
-  return values;
-}
-
-double sum(const std::vector<double>& values) {
-  double total = 0.0;
-  for (const double value : values) total += value;
-  return total;
-}
-
-double mean(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : sum(values) / static_cast<double>(values.size());
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
 /// The smallest value that at least this share of all reach; without interpolation, since between a
 /// number and never there is nothing.
 std::optional<double> timeOf(std::vector<double> times, double share) {
@@ -96,14 +74,12 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
   row.right_at_end = shareOf(trials, [](const Trial& t) {
     return t.end_error_m < kLostDistance && t.end_error_deg < kLostHeading * 180.0 / kPi;
   });
-  std::vector<Trial> limited;
-  std::copy_if(trials.begin(), trials.end(), std::back_inserter(limited),
-               [](const Trial& t) { return t.within_s.has_value(); });
+  const auto limited = those(trials, [](const Trial& t) { return t.within_s.has_value(); });
   const auto in_time = [](const Trial& t) { return t.found_s && *t.found_s <= *t.within_s; };
   row.in_time = shareOf(limited, in_time);
   row.in_time_or_flagged =
       shareOf(limited, [&](const Trial& t) { return in_time(t) || t.late_tracking == 0; });
-  const auto early = valuesOf(trials, [](const Trial& t) { return t.searching_tracking; });
+  const auto early = valuesOf(trials, &Trial::searching_tracking);
   row.told_early_median = quantile(early, 0.5);
   row.told_early_most = largest(early);
   row.silent_failures = shareOf(trials, [](const Trial& t) { return t.is_silent_failure; });
@@ -112,9 +88,7 @@ void addTrials(const std::vector<Trial>& trials, ExperimentSummary& row) {
 }
 
 void addHonesty(const Results& runs, ExperimentSummary& row) {
-  const auto total = [&](auto member) {
-    return sum(valuesOf(runs, [&](const auto& run) { return run.*member; }));
-  };
+  const auto total = [&](auto member) { return sum(valuesOf(runs, member)); };
   const auto share = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
   using R = ExperimentResult;
   const double scans = total(&R::scans);
@@ -123,8 +97,7 @@ void addHonesty(const Results& runs, ExperimentSummary& row) {
   row.false_jumps = static_cast<int>(total(&R::false_jumps));
   row.jumps_per_run = share(total(&R::jumps), row.runs);
   row.silently_wrong_share = share(total(&R::silently_wrong), scans);
-  row.silently_wrong_longest_s =
-      largest(valuesOf(runs, [](const R& run) { return run.silently_wrong_s; }));
+  row.silently_wrong_longest_s = largest(valuesOf(runs, &R::silently_wrong_s));
   row.carried = static_cast<int>(total(&R::carried));
   row.carried_tracking_share = share(total(&R::carried_tracking), total(&R::carried));
   row.carried_jumps = static_cast<int>(total(&R::carried_jumps));
@@ -137,52 +110,45 @@ void addHonesty(const Results& runs, ExperimentSummary& row) {
 
 void addModes(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
-  Results turned;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(turned),
-               [](const R& run) { return run.both_share.has_value(); });
+  const Results turned = those(runs, [](const R& run) { return run.both_share.has_value(); });
   row.both_at_end = shareOf(turned, [](const R& run) { return run.has_both_at_end; });
   row.both_share = mean(valuesOf(turned, [](const R& run) { return *run.both_share; }));
-  Results ambiguous;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(ambiguous),
-               [](const R& run) { return run.status.count("ambiguous") > 0; });
-  row.first_mass = mean(valuesOf(ambiguous, [](const R& run) { return run.first_mass; }));
-  row.second_mass = mean(valuesOf(ambiguous, [](const R& run) { return run.second_mass; }));
+  const Results ambiguous =
+      those(runs, [](const R& run) { return run.status.count("ambiguous") > 0; });
+  row.first_mass = mean(valuesOf(ambiguous, &R::first_mass));
+  row.second_mass = mean(valuesOf(ambiguous, &R::second_mass));
 }
 
 void addErrors(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
-  row.rms_median_m = quantile(valuesOf(runs, [](const R& run) { return run.rms_m; }), 0.5);
-  row.rms_median_deg = quantile(valuesOf(runs, [](const R& run) { return run.rms_deg; }), 0.5);
-  row.max_m = largest(valuesOf(runs, [](const R& run) { return run.max_m; }));
+  row.rms_median_m = quantile(valuesOf(runs, &R::rms_m), 0.5);
+  row.rms_median_deg = quantile(valuesOf(runs, &R::rms_deg), 0.5);
+  row.max_m = largest(valuesOf(runs, &R::max_m));
   for (std::size_t i = 0; i < runs.front().probe_errors_m.size(); ++i) {
     std::vector<double> errors;
     for (const auto& run : runs) {
       if (i < run.probe_errors_m.size()) errors.push_back(run.probe_errors_m[i]);
     }
-    const double middle = mean(errors);
-    const auto squares = valuesOf(errors, [&](double e) { return (e - middle) * (e - middle); });
-    row.probe_mean_m.push_back(middle);
-    row.probe_std_m.push_back(std::sqrt(mean(squares)));
+    row.probe_mean_m.push_back(mean(errors));
+    row.probe_std_m.push_back(deviation(errors));
   }
 }
 
 void addEffort(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
-  row.particles_first = mean(valuesOf(runs, [](const R& run) { return run.particles_first; }));
-  row.particles_mean = mean(valuesOf(runs, [](const R& run) { return run.particles_mean; }));
-  row.particles_max =
-      static_cast<int>(largest(valuesOf(runs, [](const R& run) { return run.particles_max; })));
-  row.update_ms_median =
-      quantile(valuesOf(runs, [](const R& run) { return run.update_ms_median; }), 0.5);
-  row.update_ms_max = largest(valuesOf(runs, [](const R& run) { return run.update_ms_max; }));
+  row.particles_first = mean(valuesOf(runs, &R::particles_first));
+  row.particles_mean = mean(valuesOf(runs, &R::particles_mean));
+  row.particles_max = static_cast<int>(largest(valuesOf(runs, &R::particles_max)));
+  row.update_ms_median = quantile(valuesOf(runs, &R::update_ms_median), 0.5);
+  row.update_ms_max = largest(valuesOf(runs, &R::update_ms_max));
 }
 
 ExperimentSummary summarizeRow(const Results& runs) {
   const ExperimentResult& first = runs.front();
   for (const auto& run : runs) {
     if (run.id.settings == first.id.settings) continue;
-    throw std::invalid_argument("results of " + first.id.experiment + "/" + first.id.of_case + "/" +
-                                first.id.label + " were made with different settings");
+    throw std::invalid_argument("results of " + first.id.name() +
+                                " were made with different settings");
   }
   ExperimentSummary row;
   row.experiment = first.id.experiment;

@@ -21,6 +21,10 @@ std::string seconds(const std::optional<double>& time) {
   return time ? fixed(*time, 1) : "never";
 }
 
+std::string seconds(const std::optional<double>& median, const std::optional<double>& p95) {
+  return seconds(median) + ", " + seconds(p95);
+}
+
 std::string percent(double share, int digits = 1) {
   return fixed(100.0 * share, digits) + " %";
 }
@@ -41,18 +45,14 @@ std::vector<std::pair<std::string, Cell>> findingColumns() {
       {"found", [](const Row& r) { return countOf(r.found); }},
       {"95 % interval", [](const Row& r) { return interval(r.found); }},
       {"found after s: median, 95 %",
-       [](const Row& r) {
-         return r.found.of ? seconds(r.found_median_s) + ", " + seconds(r.found_p95_s) : "";
-       }},
+       [](const Row& r) { return r.found.of ? seconds(r.found_median_s, r.found_p95_s) : ""; }},
       {"told after s: median, 95 %",
-       [](const Row& r) {
-         return r.found.of ? seconds(r.told_median_s) + ", " + seconds(r.told_p95_s) : "";
-       }},
+       [](const Row& r) { return r.found.of ? seconds(r.told_median_s, r.told_p95_s) : ""; }},
       {"ambiguous before", [](const Row& r) { return countOf(r.ambiguous); }},
       {"found after s, where not ambiguous",
        [](const Row& r) {
          const bool is_else = r.ambiguous.count > 0 && r.ambiguous.count < r.ambiguous.of;
-         return is_else ? seconds(r.clear_median_s) + ", " + seconds(r.clear_p95_s) : "";
+         return is_else ? seconds(r.clear_median_s, r.clear_p95_s) : "";
        }},
       {"scans that say tracking before: median, most",
        [](const Row& r) {

@@ -3,28 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "adaptive_localization/eval/consistency.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
-
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double rootMeanSquare(std::vector<double> values) {
-  for (double& value : values) value *= value;
-  return std::sqrt(mean(values));
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
 
 void addConsistency(const std::vector<RunStep>& steps, ErrorMetrics& errors) {
   std::vector<double> normalized;
@@ -95,15 +81,6 @@ double pathLength(const std::vector<RunStep>& steps) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
-}
 
 Metrics measure(const RunRecord& run) {
   std::vector<double> times, cpu_times, particles, confidences;

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
-#include <stdexcept>
 
 #include "canvas.hpp"
 
@@ -60,15 +58,7 @@ void savePlot(const OccupancyGrid& map, const RunRecord& run, const Metrics& met
   rows.push_back({"estimate", kEstimateColour});
   rows.push_back({"start", kStartColour});
   canvas.drawLegend(rows, caption(metrics));
-
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(file, canvas.image());
-  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
-  }
-  if (!is_written) {
-    throw std::runtime_error("plot '" + file + "': cannot be written, expected a name like x.png");
-  }
+  saveImage(canvas.image(), "plot", file);
 }
 
 }  // namespace adaptive_localization

@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/replay_command.hpp"
 
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <map>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
+#include "adaptive_localization/eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-double toNumber(const std::string& name, const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number)) {
-    throw std::invalid_argument(name + ": got '" + text + "', expected a number");
-  }
-  return number;
-}
-
-int toCount(const std::string& name, const std::string& text) {
-  const double number = toNumber(name, text);
-  if (number < 1.0 || number > 1e9 || number != std::floor(number)) {
-    throw std::invalid_argument(name + ": got '" + text + "', expected a whole number from 1");
-  }
-  return static_cast<int>(number);
-}
-
-/// What to do with the value of each option.
-using Handlers = std::map<std::string, std::function<void(const std::string&)>>;
-
-bool isOption(const std::string& argument) {
-  return argument.compare(0, 2, "--") == 0;
-}
 
 void checkRequired(const ReplayCommand& command) {
   if (command.map.empty()) throw std::invalid_argument("--map is missing");
@@ -71,50 +43,34 @@ struct GivenParameters {
   }
 };
 
-Handlers makeHandlers(ReplayCommand& command, GivenParameters& given) {
-  const auto text = [](std::string& target) {
-    return [&target](const std::string& value) { target = value; };
+ArgumentParser makeParser(ReplayCommand& command, GivenParameters& given) {
+  const auto own = [&given](const std::string& key) {
+    return [&given, key](const auto& v) { given.own.set(key, toNumber("--" + key, v)); };
   };
-  const auto number = [](const std::string& name, double& target) {
-    return [name, &target](const std::string& value) { target = toNumber(name, value); };
-  };
-  return {
-      {"--map", text(command.map)},
-      {"--log", text(command.log.file)},
-      {"--filter", [&](const auto& v) { given.own.set("filter", OptionValue(v)); }},
-      {"--params", [&](const auto& v) { given.files.push_back(v); }},
-      {"--set", [&](const auto& v) { given.addValue(v); }},
-      {"--start", text(command.start)},
-      {"--begin", number("--begin", command.log.begin)},
-      {"--end", number("--end", command.log.end)},
-      {"--seed", [&](const auto& v) { given.own.set("seed", toNumber("--seed", v)); }},
-      {"--search", [&](const auto& v) { command.search = toCount("--search", v); }},
-      {"--threads", [&](const auto& v) { given.own.set("threads", toNumber("--threads", v)); }},
-      {"--scan-topic", text(command.log.scan_topic)},
-      {"--odom-topic", text(command.log.odom_topic)},
-      {"--truth-topic", text(command.log.truth_topic)},
-      {"--truth", text(command.truth_file)},
-      {"--trajectory", text(command.trajectory_file)},
-      {"--json", text(command.json_file)},
-      {"--plot", text(command.plot_file)},
-  };
-}
-
-using Flags = std::map<std::string, bool*>;
-
-Flags makeFlags(ReplayCommand& command) {
-  return {{"--allow-misfit", &command.allows_misfit},
-          {"--quiet", &command.is_quiet},
-          {"--help", &command.wants_help},
-          {"-h", &command.wants_help}};
-}
-
-[[noreturn]] void rejectArgument(const std::string& name, const Flags& flags,
-                                 const Handlers& handlers) {
-  std::vector<std::string> known;
-  for (const auto& entry : flags) known.push_back(entry.first);
-  for (const auto& entry : handlers) known.push_back(entry.first);
-  throw std::invalid_argument("unknown argument '" + name + "'" + suggestion(name, known));
+  ArgumentParser parser;
+  parser.text("--map", command.map);
+  parser.text("--log", command.log.file);
+  parser.option("--filter", [&](const auto& v) { given.own.set("filter", OptionValue(v)); });
+  parser.list("--params", [&](const auto& v) { given.files.push_back(v); });
+  parser.list("--set", [&](const auto& v) { given.addValue(v); });
+  parser.text("--start", command.start);
+  parser.number("--begin", command.log.begin);
+  parser.number("--end", command.log.end);
+  parser.option("--seed", own("seed"));
+  parser.option("--threads", own("threads"));
+  parser.option("--search", [&](const auto& v) {
+    command.search = toCount("--search", v, 1000000000, "a whole number from 1");
+  });
+  parser.text("--scan-topic", command.log.scan_topic);
+  parser.text("--odom-topic", command.log.odom_topic);
+  parser.text("--truth-topic", command.log.truth_topic);
+  parser.text("--truth", command.truth_file);
+  parser.text("--trajectory", command.trajectory_file);
+  parser.text("--json", command.json_file);
+  parser.text("--plot", command.plot_file);
+  parser.flag("--allow-misfit", command.allows_misfit);
+  parser.flag("--quiet", command.is_quiet);
+  return parser;
 }
 
 }  // namespace
@@ -151,26 +107,8 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
 ReplayCommand parseReplayCommand(const std::vector<std::string>& arguments) {
   ReplayCommand command;
   GivenParameters given;
-  const Flags flags = makeFlags(command);
-  const Handlers handlers = makeHandlers(command, given);
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
-    if (const auto flag = flags.find(name); flag != flags.end()) {
-      *flag->second = true;
-      if (command.wants_help) return command;
-      continue;
-    }
-    const auto handler = handlers.find(name);
-    if (handler == handlers.end()) rejectArgument(name, flags, handlers);
-    if (i + 1 == arguments.size() || isOption(arguments[i + 1])) {
-      throw std::invalid_argument(name + " needs a value");
-    }
-    handler->second(arguments[++i]);
-    const bool is_list = name == "--params" || name == "--set";
-    while (is_list && i + 1 < arguments.size() && !isOption(arguments[i + 1])) {
-      handler->second(arguments[++i]);
-    }
-  }
+  command.wants_help = !makeParser(command, given).parse(arguments);
+  if (command.wants_help) return command;
   checkRequired(command);
   command.parameters = given.layer();
   return command;

@@ -6,18 +6,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "json.hpp"
+
 namespace adaptive_localization {
 
 nlohmann::json toJson(const RunDescription& description, const Metrics& metrics) {
-  const nlohmann::json null;
-  const auto error = [&](double ErrorMetrics::*member) {
-    return metrics.errors ? nlohmann::json(*metrics.errors.*member) : null;
+  const auto error = [&](auto member) {
+    return metrics.errors ? nlohmann::json((*metrics.errors).*member) : nlohmann::json();
   };
-  const auto consistency = [&](std::optional<double> ErrorMetrics::*member) {
-    const bool is_known = metrics.errors && *metrics.errors.*member;
-    return is_known ? nlohmann::json(*(*metrics.errors.*member)) : null;
-  };
-  const bool has_converged = metrics.errors && metrics.errors->converged_at_s;
 
   nlohmann::json json;
   json["log"] = description.log;
@@ -33,13 +29,12 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["wall_s"] = metrics.wall_s;
   json["cpu_s"] = metrics.cpu_s;
   json["peak_rss_mb"] = metrics.peak_rss_mb;
-  json["update_ms"]["median"] = metrics.update_ms_median;
-  json["update_ms"]["p99"] = metrics.update_ms_p99;
-  json["update_ms"]["max"] = metrics.update_ms_max;
-  json["update_cpu_ms"]["median"] = metrics.update_cpu_ms_median;
-  json["update_cpu_ms"]["mean"] = metrics.update_cpu_ms_mean;
-  json["particles"]["mean"] = metrics.particles_mean;
-  json["particles"]["max"] = metrics.particles_max;
+  json["update_ms"] = {{"median", metrics.update_ms_median},
+                       {"p99", metrics.update_ms_p99},
+                       {"max", metrics.update_ms_max}};
+  json["update_cpu_ms"] = {{"median", metrics.update_cpu_ms_median},
+                           {"mean", metrics.update_cpu_ms_mean}};
+  json["particles"] = {{"mean", metrics.particles_mean}, {"max", metrics.particles_max}};
   json["ate_rmse_m"] = error(&ErrorMetrics::ate_rmse_m);
   json["ate_mean_m"] = error(&ErrorMetrics::ate_mean_m);
   json["ate_median_m"] = error(&ErrorMetrics::ate_median_m);
@@ -48,15 +43,13 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["heading_rmse_deg"] = error(&ErrorMetrics::heading_rmse_deg);
   json["final_error_m"] = error(&ErrorMetrics::final_error_m);
   json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
-  json["converged_at_s"] = has_converged ? nlohmann::json(*metrics.errors->converged_at_s) : null;
+  json["converged_at_s"] = error(&ErrorMetrics::converged_at_s);
   json["lost_share"] = error(&ErrorMetrics::lost_share);
   json["misled_share"] = error(&ErrorMetrics::misled_share);
-  json["tracking_at_s"] = metrics.errors && metrics.errors->tracking_at_s
-                              ? nlohmann::json(*metrics.errors->tracking_at_s)
-                              : null;
-  json["nees"]["mean"] = consistency(&ErrorMetrics::nees_mean);
-  json["nees"]["median"] = consistency(&ErrorMetrics::nees_median);
-  json["nees"]["in_band"] = consistency(&ErrorMetrics::nees_in_band);
+  json["tracking_at_s"] = error(&ErrorMetrics::tracking_at_s);
+  json["nees"] = {{"mean", error(&ErrorMetrics::nees_mean)},
+                  {"median", error(&ErrorMetrics::nees_median)},
+                  {"in_band", error(&ErrorMetrics::nees_in_band)}};
   json["confidence_mean"] = metrics.confidence_mean;
   json["tracking_share"] = metrics.tracking_share;
   json["nowhere_share"] = metrics.nowhere_share;

@@ -2,40 +2,19 @@
 #include "adaptive_localization/eval/run.hpp"
 
 #include <sys/resource.h>
-#include <time.h>
 
-#include <chrono>
 #include <stdexcept>
 #include <string>
+
+#include "adaptive_localization/eval/stopwatch.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(const Clock::time_point& start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-rusage resources() {
+double peakMegabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return usage;
-}
-
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-double cpuSeconds() {
-  const rusage usage = resources();
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-double processMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 std::optional<BaseVelocity> velocityBetween(const LogScan& before, const LogScan& after) {
@@ -47,15 +26,15 @@ std::optional<BaseVelocity> velocityBetween(const LogScan& before, const LogScan
 }
 
 RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer) {
-  const auto start = Clock::now();
-  const double cpu_at_start = processMilliseconds();
+  const Stopwatch watch;
+  const Stopwatch cpu_watch(CLOCK_PROCESS_CPUTIME_ID);
   Observations observations;
   observations.stamp = log_scan.scan.stamp;
   observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity);
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;
-  result.update_ms = 1e3 * secondsSince(start);
-  result.cpu_ms = processMilliseconds() - cpu_at_start;
+  result.update_ms = watch.milliseconds();
+  result.cpu_ms = cpu_watch.milliseconds();
   result.stamp = log_scan.scan.stamp;
   result.T_odom_base = log_scan.T_odom_base;
   result.T_map_base = answer.T_map_base;
@@ -80,8 +59,8 @@ BaseVelocity velocityAt(const Log& log, std::size_t i) {
 RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
   RunRecord run;
   run.steps.reserve(log.scans.size());
-  const auto start = Clock::now();
-  const double cpu_at_start = cpuSeconds();
+  const Stopwatch watch;
+  const Stopwatch cpu_watch(CLOCK_PROCESS_CPUTIME_ID);
   std::string first_problem;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     try {
@@ -96,9 +75,9 @@ RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progre
     run.warnings.push_back("scans that cannot be used, skipped: " + std::to_string(run.skipped) +
                            "; the first: " + first_problem);
   }
-  run.wall_s = secondsSince(start);
-  run.cpu_s = cpuSeconds() - cpu_at_start;
-  run.peak_rss_mb = static_cast<double>(resources().ru_maxrss) / 1024.0;
+  run.wall_s = watch.seconds();
+  run.cpu_s = cpu_watch.seconds();
+  run.peak_rss_mb = peakMegabytes();
   return run;
 }
 

@@ -2,12 +2,12 @@
 #include "adaptive_localization/eval/search_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/eval/metrics.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -49,11 +49,9 @@ SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& optio
       continue;  // counted by runLog, which reads the whole log
     }
     places.energyGrid(observations.scan);  // made once, not timed
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::vector<Place>& found = places.search(observations);
-    const std::chrono::duration<double, std::milli> taken =
-        std::chrono::steady_clock::now() - start;
-    times.push_back(taken.count());
+    times.push_back(watch.milliseconds());
     take(found, *scan.T_map_base, metrics);
   }
   if (metrics.scans == 0) {
@@ -62,7 +60,7 @@ SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& optio
   metrics.places_mean /= metrics.scans;
   metrics.ms_median = quantile(times, 0.5);
   metrics.ms_p95 = quantile(times, 0.95);
-  metrics.ms_max = quantile(times, 1.0);
+  metrics.ms_max = largest(times);
   return metrics;
 }
 
@@ -75,9 +73,8 @@ nlohmann::json toJson(const SearchMetrics& metrics) {
   json["right_if_unique"] = metrics.right_if_unique;
   json["nowhere"] = metrics.nowhere;
   json["places_mean"] = metrics.places_mean;
-  json["search_ms"]["median"] = metrics.ms_median;
-  json["search_ms"]["p95"] = metrics.ms_p95;
-  json["search_ms"]["max"] = metrics.ms_max;
+  json["search_ms"] = {
+      {"median", metrics.ms_median}, {"p95", metrics.ms_p95}, {"max", metrics.ms_max}};
   return json;
 }
 

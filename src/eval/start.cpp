@@ -10,14 +10,6 @@
 namespace adaptive_localization {
 namespace {
 
-Gaussian2 around(const Pose2& mean, const StartOptions& options) {
-  Gaussian2 prior;
-  prior.mean = mean;
-  prior.covariance.diagonal() << options.initial_cov_xx, options.initial_cov_yy,
-      options.initial_cov_aa;
-  return prior;
-}
-
 bool hasReference(const LogScan& scan) {
   return scan.T_map_base.has_value();
 }
@@ -81,8 +73,8 @@ bool isReference(const std::string& start) {
 Prior startPrior(const std::string& start, const StartOptions& options, Log& log) {
   const bool has_reference = std::any_of(log.scans.begin(), log.scans.end(), hasReference);
   if (start == "global" || (start.empty() && !has_reference)) return Anywhere{};
-  if (isReference(start)) return around(firstReference(log), options);
-  return around(parsePose(start), options);
+  if (isReference(start)) return options.around(firstReference(log));
+  return options.around(parsePose(start));
 }
 
 std::string startText(const std::string& start, const Prior& prior) {

@@ -2,9 +2,9 @@
 #include "adaptive_localization/eval/swarm_command.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <stdexcept>
+
+#include "adaptive_localization/eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -14,28 +14,7 @@ bool asksForHelp(const std::vector<std::string>& arguments) {
                      [](const std::string& a) { return a == "--help" || a == "-h"; });
 }
 
-std::invalid_argument wrong(const std::string& name, const std::string& text,
-                            const std::string& expected) {
-  return std::invalid_argument(name + ": got '" + text + "', expected " + expected);
-}
-
-int toCount(const std::string& name, const std::string& text) {
-  char* end = nullptr;
-  const long count = std::strtol(text.c_str(), &end, 10);
-  if (text.empty() || *end != '\0' || count < 1 || count > 100000) {
-    throw wrong(name, text, "a whole number from 1 to 100000");
-  }
-  return static_cast<int>(count);
-}
-
-double toResolution(const std::string& text) {
-  char* end = nullptr;
-  const double resolution = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(resolution >= 0.01 && resolution <= 1.0)) {
-    throw wrong("RESOLUTION", text, "0.01 to 1 m");
-  }
-  return resolution;
-}
+constexpr int kMostRuns = 100000;
 
 void refuseMore(const std::vector<std::string>& arguments, std::size_t most) {
   if (arguments.size() <= most) return;
@@ -70,7 +49,7 @@ SwarmFunctionsCommand parseSwarmFunctions(const std::vector<std::string>& argume
   command.wants_help = asksForHelp(arguments);
   if (command.wants_help) return command;
   refuseMore(arguments, 2);
-  if (!arguments.empty()) command.seeds = toCount("SEEDS", arguments[0]);
+  if (!arguments.empty()) command.seeds = toCount("SEEDS", arguments[0], kMostRuns);
   if (arguments.size() > 1) command.plot_file = arguments[1];
   return command;
 }
@@ -84,11 +63,11 @@ SwarmFixesCommand parseSwarmFixes(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) throw std::invalid_argument("RESOLUTION is missing");
   SwarmFixPlan& plan = command.plan;
   plan.world = arguments[0];
-  plan.resolution = toResolution(arguments[1]);
-  if (arguments.size() > 2) plan.runs = toCount("RUNS", arguments[2]);
+  plan.resolution = toNumber("RESOLUTION", arguments[1], {0.01, 1.0}, "0.01 to 1 m");
+  if (arguments.size() > 2) plan.runs = toCount("RUNS", arguments[2], kMostRuns);
   plan.is_torus = arguments.size() > 3;
   if (plan.is_torus && arguments[3] != "torus") {
-    throw wrong("the last argument", arguments[3], "torus");
+    throw std::invalid_argument("the last argument: got '" + arguments[3] + "', expected torus");
   }
   return command;
 }

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numeric>
+#include <cstdio>
 
-#include "adaptive_localization/eval/metrics.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
+#include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/swarm/swarm_search.hpp"
 #include "swarm_fix_scene.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kTolerance = 0.03;
 constexpr int kMaxIterations = 500;
@@ -40,34 +37,25 @@ struct Sight {
   Observations observations;
 };
 
-double msSince(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         std::max<double>(1.0, static_cast<double>(values.size()));
-}
-
 Outcome searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sight,
                    const SwarmFixPlan& plan, const SwarmFixCell& cell) {
   const auto start = scene.spread(cell.start, cell.searchers, sight.observations, sight.rng);
   StopRule rule;
   rule.tolerance = kTolerance;
   rule.max_iterations = kMaxIterations;
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   const TableObjective objective = scene.objective(sight.observations.scan);
   Swarm swarm(scene.space(plan.is_torus), start, objective);
   const SearchResult result = search(swarm, move, objective, rule, sight.rng);
   return {{swarm.best[0], swarm.best[1], swarm.best[2]},
           result.iterations,
           result.is_reached,
-          msSince(begin)};
+          watch.milliseconds()};
 }
 
 Outcome localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight) {
   Outcome outcome;
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   filter.reset(Anywhere{});
   while (!outcome.is_reached && outcome.iterations < kMaxIterations) {
     outcome.found = filter.update({}, sight.observations).T_map_base;
@@ -79,7 +67,7 @@ Outcome localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight) {
     outcome.is_reached = cost[0] <= kTolerance;
     sight.observations = scene.observe(sight.truth, sight.rng);
   }
-  outcome.ms = msSince(begin);
+  outcome.ms = watch.milliseconds();
   return outcome;
 }
 
@@ -102,20 +90,59 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
           1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth));
     }
   }
-  cell.error_mm = meanOf(errors);
-  cell.matched_mm = meanOf(matched);
-  for (double& value : matched) value = std::pow(value - cell.matched_mm, 2);
-  cell.matched_std_mm = std::sqrt(meanOf(matched));
+  cell.error_mm = mean(errors);
+  cell.matched_mm = mean(matched);
+  cell.matched_std_mm = deviation(matched);
   cell.ms_median = quantile(times, 0.5);
-  cell.ms_mean = meanOf(times);
+  cell.ms_mean = mean(times);
   return cell;
+}
+
+/// Nothing where nobody was found.
+std::string errorsOf(const SwarmFixCell& cell) {
+  if (cell.found == 0) return "| |";
+  char text[100];
+  std::snprintf(text, sizeof text, "| %.1f | %.1f ± %.1f", cell.error_mm, cell.matched_mm,
+                cell.matched_std_mm);
+  return text;
+}
+
+std::string rowOf(const SwarmFixCell& cell) {
+  char row[300];
+  std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f %s | %.2f | %.2f |\n",
+                cell.start.c_str(), cell.core.c_str(), cell.searchers,
+                100.0 * cell.found / cell.runs, 100.0 * cell.reached / cell.runs,
+                cell.meanIterations(), errorsOf(cell).c_str(), cell.ms_median, cell.ms_mean);
+  return row;
+}
+
+/// The improved leaders against the bats with the right sign, as far as both are there.
+std::string comparison(const std::vector<SwarmFixCell>& cells) {
+  std::string text;
+  for (const SwarmFixCell& leaders : cells) {
+    for (const SwarmFixCell& bats : cells) {
+      if (leaders.core != "lbba improved" || bats.core != "ba, right sign") continue;
+      if (leaders.start != bats.start || leaders.searchers != bats.searchers) continue;
+      char row[200];
+      std::snprintf(row, sizeof row, "| %s | %d | %.1f | %.1f | %.2g | %.2g |\n",
+                    leaders.start.c_str(), leaders.searchers, leaders.meanIterations(),
+                    bats.meanIterations(),
+                    signedRankTestOfLess(leaders.iterations, bats.iterations),
+                    signTestOfLess(leaders.iterations, bats.iterations));
+      text += row;
+    }
+  }
+  if (text.empty()) return text;
+  return "\n| start | searchers | iterations of lbba improved | of ba, right sign | p, signed "
+         "ranks "
+         "| p, signs |\n|---|---|---|---|---|---|\n" +
+         text;
 }
 
 }  // namespace
 
 double SwarmFixCell::meanIterations() const {
-  return std::accumulate(iterations.begin(), iterations.end(), 0.0) /
-         std::max<double>(1.0, static_cast<double>(iterations.size()));
+  return mean({iterations.begin(), iterations.end()});
 }
 
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
@@ -142,6 +169,16 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
     }
   }
   return cells;
+}
+
+std::string toTable(const std::vector<SwarmFixCell>& cells) {
+  std::string table =
+      "| start | core | searchers | found, % | reached 3 %, % | iterations | error of those found, "
+      "mm "
+      "| the same matched, mm | ms per fix: median | mean |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const SwarmFixCell& cell : cells) table += rowOf(cell);
+  return table + comparison(cells);
 }
 
 }  // namespace adaptive_localization

@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 
 #include "adaptive_localization/eval/swarm_race.hpp"
+#include "canvas.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -14,15 +13,8 @@ namespace {
 constexpr int kWidth = 740, kHeight = 440;                        // px, of a panel
 constexpr int kLeft = 64, kRight = 250, kTop = 44, kBottom = 52;  // px around the axes
 constexpr double kFewest = 20.0, kMost = 1200.0, kIterations = 500.0;
-const cv::Scalar kBlack(0, 0, 0), kGrey(220, 220, 220), kWhite(255, 255, 255);
-const cv::Scalar kColours[] = {{180, 119, 31},  {14, 127, 255}, {44, 160, 44},  {40, 39, 214},
-                               {189, 103, 148}, {75, 86, 140},  {194, 119, 227}};
+const cv::Scalar kGrey(220, 220, 220), kWhite(255, 255, 255);
 constexpr int kPanelsInRow = 3;
-constexpr std::size_t kColourCount = sizeof kColours / sizeof *kColours;
-
-void putText(cv::Mat& image, const std::string& text, const cv::Point& at, double size = 0.48) {
-  cv::putText(image, text, at, cv::FONT_HERSHEY_SIMPLEX, size, kBlack, 1, cv::LINE_AA);
-}
 
 /// Both axes are logarithmic.
 cv::Point place(double searchers, double iterations) {
@@ -57,7 +49,7 @@ cv::Mat draw(const std::string& function, const std::vector<SwarmRaceCell>& cell
     curves[cell.move].push_back(place(cell.searchers, cell.iterations));
   }
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const cv::Scalar& colour = kColours[i % kColourCount];
+    const cv::Scalar colour = curveColour(i);
     cv::polylines(panel, curves[moves[i]], false, colour, 2, cv::LINE_AA);
     const cv::Point at(kWidth - kRight + 14, kTop + 14 + 20 * static_cast<int>(i));
     cv::line(panel, at - cv::Point(0, 5), at + cv::Point(24, -5), colour, 3, cv::LINE_AA);
@@ -73,21 +65,10 @@ void savePlot(const std::vector<SwarmRaceCell>& cells, const std::string& file) 
   for (const SwarmRaceCell& cell : cells) {
     if (functions.empty() || functions.back() != cell.function) functions.push_back(cell.function);
   }
-  const int count = std::max(1, static_cast<int>(functions.size()));
-  const int columns = std::min(count, kPanelsInRow), rows = (count + columns - 1) / columns;
-  cv::Mat image(kHeight * rows, kWidth * columns, CV_8UC3, kWhite);
-  for (int i = 0; i < static_cast<int>(functions.size()); ++i) {
-    const cv::Mat panel = draw(functions[static_cast<std::size_t>(i)], cells);
-    panel.copyTo(image(cv::Rect(kWidth * (i % columns), kHeight * (i / columns), kWidth, kHeight)));
-  }
-  bool is_written = false;
-  try {
-    is_written = cv::imwrite(file, image);
-  } catch (const cv::Exception&) {  // an ending that OpenCV has no writer for
-  }
-  if (!is_written) {
-    throw std::runtime_error("plot '" + file + "': cannot be written, expected a name like x.png");
-  }
+  std::vector<cv::Mat> panels;
+  for (const std::string& function : functions) panels.push_back(draw(function, cells));
+  if (panels.empty()) panels.emplace_back(kHeight, kWidth, CV_8UC3, kWhite);
+  saveImage(tiled(panels, kPanelsInRow), "plot", file);
 }
 
 }  // namespace adaptive_localization

@@ -4,8 +4,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "adaptive_localization/ser/places.hpp"
-#include "match_marker.hpp"
-#include "ser_marker.hpp"
+#include "point_markers.hpp"
 #include "status_markers.hpp"
 
 namespace adaptive_localization {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/ser/ground.hpp"
 #include "adaptive_localization/ser/places.hpp"
-#include "map_builder.hpp"
 
 namespace adaptive_localization {
 

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/bag_log.hpp"
+#include "adaptive_localization/eval/log_reader.hpp"
 #include "eval/bag_writer.hpp"
 #include "support/temp_folder.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../src/eval/experiment_accuracy.hpp"
-
 #include <gmock/gmock.h>
 
+#include "../../src/eval/accuracy_judge.hpp"
 #include "adaptive_localization/eval/experiment_run.hpp"
+#include "adaptive_localization/eval/experiment_summary.hpp"
 #include "toy_experiment.hpp"
 
 namespace adaptive_localization {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment.hpp"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
 #include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/eval/experiment_loader.hpp"
 #include "adaptive_localization/eval/experiment_plan.hpp"
 #include "adaptive_localization/eval/experiment_run.hpp"
 #include "support/program.hpp"

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "adaptive_localization/eval/statistics.hpp"
+
 namespace adaptive_localization {
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/paired_test.hpp"
-
 #include <gtest/gtest.h>
+
+#include "adaptive_localization/eval/statistics.hpp"
 
 namespace adaptive_localization {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "adaptive_localization/eval/log.hpp"
+#include "adaptive_localization/eval/log_reader.hpp"
 #include "support/program.hpp"
 
 namespace adaptive_localization {

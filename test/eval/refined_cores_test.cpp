@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "adaptive_localization/eval/experiment_loader.hpp"
 #include "adaptive_localization/eval/experiment_run.hpp"
 
 namespace adaptive_localization {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "adaptive_localization/eval/experiment.hpp"
+#include "adaptive_localization/eval/experiment_loader.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "support/temp_folder.hpp"

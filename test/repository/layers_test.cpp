@@ -94,6 +94,62 @@ bool isOurs(const std::string& header) {
                      [&](const auto& rule) { return rule.first == layer; });
 }
 
+/// map/lattice of include/adaptive_localization/map/lattice.hpp or src/map/lattice.cpp.
+std::string unitOf(const std::string& path) {
+  fs::path unit = fs::path(path).lexically_normal().replace_extension();
+  for (const std::string root : {"include", "src", "adaptive_localization"}) {
+    if (*unit.begin() == root) unit = unit.lexically_relative(root);
+  }
+  return unit.generic_string();
+}
+
+using Graph = std::map<std::string, std::set<std::string>>;  // whom each unit includes
+
+/// Of the units, a header and its source, that are ours. A header is looked for beside the file
+/// that includes it, in src and among the public ones.
+Graph unitGraph(const std::vector<Include>& all) {
+  Graph graph;
+  for (const auto& include : all) graph[unitOf(include.file)];
+  for (const auto& include : all) {
+    const std::string unit = unitOf(include.file);
+    const fs::path beside = fs::path(include.file).parent_path() / include.header;
+    for (const std::string& header : {beside.string(), include.header}) {
+      const auto other = graph.find(unitOf(header));
+      const bool is_found = other != graph.end();
+      if (is_found && other->first != unit) graph[unit].insert(other->first);
+      if (is_found) break;
+    }
+  }
+  return graph;
+}
+
+/// Goes on from the last unit of a way that has no circle yet. A circle begins and ends with the
+/// same unit; empty: there is none.
+std::vector<std::string> circleFrom(const std::vector<std::string>& way, const Graph& graph,
+                                    std::set<std::string>& done) {
+  if (done.count(way.back())) return {};
+  for (const std::string& other : graph.at(way.back())) {
+    std::vector<std::string> longer = way;
+    longer.push_back(other);
+    const auto met = std::find(way.begin(), way.end(), other);
+    if (met != way.end()) return {longer.begin() + (met - way.begin()), longer.end()};
+    const auto circle = circleFrom(longer, graph, done);
+    if (!circle.empty()) return circle;
+  }
+  done.insert(way.back());
+  return {};
+}
+
+/// One circle, or none.
+std::vector<std::string> findCircle(const Graph& graph) {
+  std::set<std::string> done;
+  for (const auto& entry : graph) {
+    const auto circle = circleFrom({entry.first}, graph, done);
+    if (!circle.empty()) return circle;
+  }
+  return {};
+}
+
 }  // namespace
 
 TEST(Layers, TheSourcesAreRead) {
@@ -112,6 +168,30 @@ TEST(Layers, TheRulesHaveNoCircle) {
     }
     below.insert(layer);
   }
+}
+
+TEST(Layers, ACircleOfUnitsIsFound) {
+  EXPECT_EQ(unitOf("include/adaptive_localization/map/lattice.hpp"), "map/lattice");
+  EXPECT_EQ(unitOf("src/apps/../ros/node_options.hpp"), "ros/node_options");
+  const Graph graph = unitGraph({{"sim", "src/sim/a.hpp", "adaptive_localization/sim/b.hpp"},
+                                 {"sim", "include/adaptive_localization/sim/b.hpp", "vector"},
+                                 {"sim", "src/sim/b.cpp", "c.hpp"},
+                                 {"bag", "src/bag/c.hpp", "../sim/a.hpp"},
+                                 {"sim", "src/sim/c.cpp", "c.hpp"}});
+  EXPECT_THAT(graph.at("sim/b"), testing::ElementsAre("sim/c"));
+  EXPECT_THAT(graph.at("sim/c"), IsEmpty()) << "its own header";
+  EXPECT_THAT(findCircle(graph), IsEmpty());
+  const Graph circle{{"a", {"b"}}, {"b", {"c"}}, {"c", {"d", "b"}}, {"d", {}}};
+  EXPECT_THAT(findCircle(circle), testing::ElementsAre("b", "c", "b"));
+}
+
+TEST(Layers, NoUnitIncludesWhatIncludesIt) {
+  const Graph graph = unitGraph(includes());
+  ASSERT_THAT(graph.at("apps/replay"), Contains("eval/replay_command"));
+  ASSERT_THAT(graph.at("ros/localization_node"), Contains("ros/node_options"));
+  std::string text;
+  for (const auto& unit : findCircle(graph)) text += (text.empty() ? "" : " -> ") + unit;
+  EXPECT_EQ(text, "") << "a circle of includes";
 }
 
 TEST(Layers, AFolderIncludesOnlyWhatIsBelowIt) {

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ros/match_marker.hpp"
-#include "ros/ser_marker.hpp"
+#include "ros/point_markers.hpp"
 #include "ros/status_markers.hpp"
 #include "support/toy_world.hpp"
 

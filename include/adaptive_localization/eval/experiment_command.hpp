@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/eval/experiment_loader.hpp"
 #include "adaptive_localization/eval/experiment_plan.hpp"
 
 namespace adaptive_localization {

@@ -15,6 +15,8 @@ struct RunId {
   std::string experiment, of_case, label;
   int seed{1};
   std::string settings;
+
+  std::string name() const { return experiment + "/" + of_case + "/" + label; }
 };
 
 /// One task of finding the robot: from the start, known, told wrong or not told, or after it was

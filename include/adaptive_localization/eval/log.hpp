@@ -51,15 +51,16 @@ struct LogRequest {
 };
 
 /// Whether a stamp lies within begin and end, to the microsecond that text gives them with.
-bool isWanted(double stamp, const LogRequest& request);
-
-/// Reads a rosbag (*.bag) or a CARMEN log (anything else; *.gz and *.bz2 are unpacked).
-/// Throws std::invalid_argument naming the file and what is wrong with it, also when no scan is
-/// left.
-Log readLog(const LogRequest& request);
+inline bool isWanted(double stamp, const LogRequest& request) {
+  constexpr double kRounding = 1e-6;  // s
+  return stamp >= request.begin - kRounding && stamp <= request.end + kRounding;
+}
 
 /// Sets the reference of each scan from a trajectory. Within a gap of more than a second there is
 /// none.
-void setReference(const Trajectory& reference, Log& log);
+inline void setReference(const Trajectory& reference, Log& log) {
+  constexpr double kLongestGap = 1.0;  // s
+  for (auto& scan : log.scans) scan.T_map_base = reference.at(scan.scan.stamp, kLongestGap);
+}
 
 }  // namespace adaptive_localization

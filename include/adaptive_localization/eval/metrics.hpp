@@ -58,8 +58,4 @@ Metrics measure(const RunRecord& run);
 /// map that is poor but right it says ambiguous.
 bool isMisfit(const Metrics& metrics);
 
-/// The value below which a share of the values lies, interpolated linearly between ranks (type 7 of
-/// Hyndman and Fan 1996, numpy's default); 0 for no values.
-double quantile(std::vector<double> values, double share);
-
 }  // namespace adaptive_localization

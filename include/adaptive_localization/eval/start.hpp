@@ -22,6 +22,13 @@ struct StartOptions {
     option("initial_cov_aa", initial_cov_aa, kVariance, "rad^2",
            "Variance of the start's heading.");
   }
+
+  Gaussian2 around(const Pose2& mean) const {
+    Gaussian2 prior;
+    prior.mean = mean;
+    prior.covariance.diagonal() << initial_cov_xx, initial_cov_yy, initial_cov_aa;
+    return prior;
+  }
 };
 
 /// The prior that `start` asks for: "truth" (the reference pose of the first scan; scans before the

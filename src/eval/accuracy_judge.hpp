@@ -6,7 +6,6 @@
 
 #include "adaptive_localization/eval/error_bound.hpp"
 #include "adaptive_localization/eval/experiment_result.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
@@ -23,13 +22,9 @@ class AccuracyJudge {
  private:
   void noteNormalized(double stamp, const Localization& answer, const Pose2& truth);
 
-  Accuracy sums_;
-  double sum_normalized_{0.0};
-  int normalized_scans_{0};
-  int bound_scans_{0};
-  ErrorBound scan_squares_, drive_squares_;
+  std::vector<double> errors_m_, errors_deg_, normalized_;
+  std::vector<std::optional<double>> of_seconds_;  // the first normalised error in each
+  std::vector<ScanBounds> bounds_;
 };
-
-AccuracySummary summarizeAccuracy(const std::vector<ExperimentResult>& runs);
 
 }  // namespace adaptive_localization

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ser_marker.hpp"
+#include "point_markers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,24 +13,41 @@ using visualization_msgs::Marker;
 
 constexpr std::size_t kLookedAt = 5;  // poses for each point
 
+std_msgs::ColorRGBA colour(float red, float green, float blue) {
+  std_msgs::ColorRGBA result;
+  result.r = red;
+  result.g = green;
+  result.b = blue;
+  result.a = 1.0F;
+  return result;
+}
+
 /// Light blue at -1, green at 0, red at 1: a background for all else. Opaque, so that rviz draws it
 /// first.
 std_msgs::ColorRGBA colourOf(double deviation) {
   constexpr float kPale = 0.6F;
   const auto share = static_cast<float>(std::clamp(deviation, -1.0, 1.0));
-  std_msgs::ColorRGBA colour;
-  colour.r = kPale + (1.0F - kPale) * std::max(0.0F, share);
-  colour.g = 1.0F - 0.25F * std::abs(share);
-  colour.b = kPale + (1.0F - kPale) * std::max(0.0F, -share);
-  colour.a = 1.0F;
-  return colour;
+  return colour(kPale + (1.0F - kPale) * std::max(0.0F, share), 1.0F - 0.25F * std::abs(share),
+                kPale + (1.0F - kPale) * std::max(0.0F, -share));
 }
 
-geometry_msgs::Point pointAt(const Pose2& pose) {
+/// None yet, squares of this size in m.
+Marker points(const std_msgs::Header& header, const char* name, double size) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = name;
+  marker.type = Marker::POINTS;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = size;
+  return marker;
+}
+
+void add(Marker& marker, const Eigen::Vector2d& at, const std_msgs::ColorRGBA& painted) {
   geometry_msgs::Point point;
-  point.x = pose.x;
-  point.y = pose.y;
-  return point;
+  point.x = at.x();
+  point.y = at.y();
+  marker.points.push_back(point);
+  marker.colors.push_back(painted);
 }
 
 using Poses = std::vector<std::size_t>;
@@ -59,13 +76,8 @@ Poses nearestInCells(const EnergyGrid& grid, const EnergyGrid::Region& region, d
 
 Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid, const Scan& scan,
                  std::size_t most) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = "ser";
-  marker.type = Marker::POINTS;
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = marker.scale.y =
-      grid.ranges().lattice().resolution() * grid.ranges().spacing();  // m
+  Marker marker =
+      points(header, "ser", grid.ranges().lattice().resolution() * grid.ranges().spacing());
   const auto energy = grid.energyOf(scan);
   const auto region = energy ? grid.similarTo(*energy) : EnergyGrid::Region{};
   if (region.isEmpty()) {
@@ -75,8 +87,28 @@ Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid, const S
   const Poses poses = nearestInCells(grid, region, energy->value, kLookedAt * most);
   const std::size_t step = (poses.size() + most - 1) / most;
   for (std::size_t k = 0; k < poses.size(); k += step) {
-    marker.points.push_back(pointAt(grid.pose(poses[k])));
-    marker.colors.push_back(colourOf((grid.energy(poses[k]) - energy->value) / energy->delta));
+    const Pose2 pose = grid.pose(poses[k]);
+    add(marker, {pose.x, pose.y},
+        colourOf((grid.energy(poses[k]) - energy->value) / energy->delta));
+  }
+  return marker;
+}
+
+Marker matchMarker(const std_msgs::Header& header, const Match* match, const Scan& scan) {
+  constexpr double kSize = 0.05;   // m
+  constexpr double kHeight = 0.5;  // m, above the laser's own points
+  Marker marker = points(header, "match", kSize);
+  marker.pose.position.z = kHeight;
+  const auto hits = static_cast<std::size_t>(scan.hits());
+  if (!match || hits == 0 || match->fits.size() != hits) {
+    marker.action = Marker::DELETE;
+    return marker;
+  }
+  const auto fitting = match->isGood() ? colour(0.0F, 0.6F, 0.0F) : colour(0.9F, 0.7F, 0.0F);
+  const auto other = colour(0.9F, 0.0F, 0.7F);
+  for (Eigen::Index i = 0; i < scan.hits(); ++i) {
+    const Eigen::Vector2d hit = match->T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]);
+    add(marker, hit, match->fits[static_cast<std::size_t>(i)] ? fitting : other);
   }
   return marker;
 }

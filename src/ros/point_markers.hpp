@@ -5,6 +5,7 @@
 #include <visualization_msgs/Marker.h>
 
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
 
 namespace adaptive_localization {
@@ -14,5 +15,11 @@ namespace adaptive_localization {
 /// than `most` points every second, third, ... is shown. An empty region deletes the marker.
 visualization_msgs::Marker serMarker(const std_msgs::Header& header, const EnergyGrid& grid,
                                      const Scan& scan, std::size_t most);
+
+/// A scan's hits in the map, as it was matched: green those that fit the map, magenta those that do
+/// not; where the match was refused, those that fit are yellow. Without a match of this scan it
+/// deletes the marker.
+visualization_msgs::Marker matchMarker(const std_msgs::Header& header, const Match* match,
+                                       const Scan& scan);
 
 }  // namespace adaptive_localization

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/paired_test.hpp"
+#include "adaptive_localization/eval/statistics.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace adaptive_localization {
 namespace {
@@ -19,14 +21,50 @@ std::vector<int> differences(const std::vector<int>& values, const std::vector<i
 
 }  // namespace
 
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double mean(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : sum(values) / static_cast<double>(values.size());
+}
+
+double rootMeanSquare(const std::vector<double>& values) {
+  return std::sqrt(mean(valuesOf(values, [](double value) { return value * value; })));
+}
+
+double deviation(const std::vector<double>& values) {
+  const double middle = mean(values);
+  return rootMeanSquare(valuesOf(values, [&](double value) { return value - middle; }));
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const double rank = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Share wilson(int count, int of, double z) {
+  if (of <= 0) return {};
+  const double n = of, share = count / n;
+  const double centre = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half =
+      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+  const double low = count == 0 ? 0.0 : centre - half;  // without the rounding
+  const double high = count == of ? 1.0 : centre + half;
+  return {of, count, share, low, high};
+}
+
 double signTest(int wins, int losses) {
-  const int n = wins + losses;
-  double p = 0.0;
-  for (int k = std::max(0, wins); k <= n; ++k) {
-    p += std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) -
-                  n * std::log(2.0));
-  }
-  return std::min(1.0, p);
+  if (wins <= 0) return 1.0;
+  return cdf(complement(boost::math::binomial(wins + losses, 0.5), wins - 1));
 }
 
 double signTestOfLess(const std::vector<int>& values, const std::vector<int>& partners) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/log.hpp"
+#include "adaptive_localization/eval/log_reader.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -13,9 +13,6 @@
 
 namespace adaptive_localization {
 namespace {
-
-constexpr double kLongestGap = 1.0;      // s; a reference is not interpolated further
-constexpr double kStampRounding = 1e-6;  // s
 
 bool isBag(const std::string& file) {
   const std::string ending = ".bag";
@@ -47,10 +44,6 @@ std::string describeRange(const LogRequest& request) {
 
 }  // namespace
 
-bool isWanted(double stamp, const LogRequest& request) {
-  return stamp >= request.begin - kStampRounding && stamp <= request.end + kStampRounding;
-}
-
 Log readLog(const LogRequest& request) {
   if (!std::ifstream(request.file)) {
     throw std::invalid_argument("log '" + request.file + "': cannot be opened");
@@ -63,10 +56,6 @@ Log readLog(const LogRequest& request) {
     throw std::invalid_argument(message);
   }
   return log;
-}
-
-void setReference(const Trajectory& reference, Log& log) {
-  for (auto& scan : log.scans) scan.T_map_base = reference.at(scan.scan.stamp, kLongestGap);
 }
 
 }  // namespace adaptive_localization
