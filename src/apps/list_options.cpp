@@ -88,12 +88,12 @@ void printTable(const std::string& title, const std::vector<OptionDescription>& 
 }
 
 void printTables() {
-  const FilterRegistry registry;
+  const auto& filters = builtins().filters;
   std::cout << "| core | what it is |\n|---|---|\n";
   std::vector<OptionDescription> of_filters;
   std::set<std::string> seen;
-  for (const auto& name : registry.names()) {
-    const FilterDescription& filter = registry.find(name);
+  for (const auto& name : filters.names()) {
+    const FilterDescription& filter = filters.find(name);
     std::cout << "| `" << name << "` | " << filter.sentence << " |\n";
     for (const auto& option : filter.options) {
       if (seen.insert(option.key).second) of_filters.push_back(option);
@@ -119,7 +119,7 @@ void printYaml(const std::string& core, const std::string& preset) {
   parameters.set("preset", OptionValue{preset});
   const Localizer localizer(parameters, trialMap());
   std::cout << "# Core " << core << ", preset " << preset << ": "
-            << FilterRegistry{}.find(core).sentence << '\n';
+            << builtins().filters.find(core).sentence << '\n';
   for (const auto& option : localizer.effectiveOptions()) {
     if (exactText(option.value).empty()) continue;  // a folder of your own
     const std::string limits = allowed(option);

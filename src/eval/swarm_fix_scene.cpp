@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "swarm_fix_scene.hpp"
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"
@@ -105,8 +105,7 @@ FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles
   context.ground.field = distance_field_;
   context.ground.places = places_;
   context.seed = seed;
-  const FilterRegistry registry;
-  for (const auto& [key, value] : registry.find(filter).recommended) {
+  for (const auto& [key, value] : builtins().filters.find(filter).recommended) {
     context.parameters.set(key, value);
   }
   context.parameters.set("line_map", OptionValue(world_file_));

@@ -16,14 +16,15 @@ namespace {
 enum class Size { kFixed, kKld };
 enum class Looks { kNowhere, kAugmented, kKidnapTest };  // when particles are drawn elsewhere
 
-std::unique_ptr<Exploration> makeKidnapTest(const FilterContext& context,
+std::unique_ptr<Exploration> makeKidnapTest(const KidnapOptions& options,
+                                            const std::shared_ptr<const OccupancyGrid>& map,
                                             std::shared_ptr<Places> places) {
   const auto find = [places = std::move(places)](const Observations& observations) {
     std::vector<Pose2> poses;
     for (const Place& place : places->search(observations)) poses.push_back(place.T_map_base);
     return poses;
   };
-  return kidnapTest(context.parameters.read<KidnapOptions>(), context.ground.map, find);
+  return kidnapTest(options, map, find);
 }
 
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
@@ -39,11 +40,12 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
     parts.exploration = noExploration();
     parts.elsewhere = std::make_unique<FreeSpaceSampler>(context.ground.map);
   } else {
-    const auto places = placesFor(context);
-    parts.elsewhere = makeSampler(context, places);
-    parts.exploration = looks == Looks::kKidnapTest
-                            ? makeKidnapTest(context, places)
-                            : augmentedExploration(given.read<ExplorationOptions>());
+    const auto places = placesFor(context.ground, given);
+    parts.elsewhere = makeSampler(given, context.ground.map, places);
+    parts.exploration =
+        looks == Looks::kKidnapTest
+            ? makeKidnapTest(given.read<KidnapOptions>(), context.ground.map, places)
+            : augmentedExploration(given.read<ExplorationOptions>());
   }
   return std::make_unique<ParticleFilter>(given.read<ParticleFilterOptions>(), std::move(parts),
                                           context.seed);
@@ -83,7 +85,7 @@ std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
 
 std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context) {
   const Parameters& given = context.parameters;
-  const auto places = placesFor(context);
+  const auto places = placesFor(context.ground, given);
   SwarmFilterParts parts;
   parts.motion = makeMotionModel(given.read<MotionOptions>());
   parts.move = makeSwarmMove(rule, given);
@@ -99,7 +101,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
                                              given.read<EnergyGridOptions>().energy_max_range,
                                              context.ground.map, context.ground.field, places,
                                              std::move(matcher));
-  parts.elsewhere = makeSampler(context, places);
+  parts.elsewhere = makeSampler(given, context.ground.map, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);
 }

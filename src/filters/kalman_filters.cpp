@@ -11,28 +11,30 @@
 namespace adaptive_localization {
 namespace {
 
-MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& context) {
-  const auto options = context.parameters.read<MatchOptions>();
-  const auto lines = context.parameters.read<LineOptions>();
+MatchScan makeMatchScan(const std::string& landmarks, const Parameters& given,
+                        const OccupancyGrid& map) {
+  const auto options = given.read<MatchOptions>();
+  const auto lines = given.read<LineOptions>();
   const auto matching = [](auto matcher) {
     return [matcher = std::move(matcher)](const Pose2& guess, const Scan& scan,
                                           const Eigen::Matrix3d& prior) {
       return matcher.match(guess, scan, prior);
     };
   };
-  if (landmarks == "hits") return matching(makeScanMatcher(options, *context.ground.map));
+  if (landmarks == "hits") return matching(makeScanMatcher(options, map));
   if (options.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matching(LineMatcher(lines, loadLineMap(options.line_map, context.ground.map->lattice())));
+  return matching(LineMatcher(lines, loadLineMap(options.line_map, map.lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const Parameters& given = context.parameters;
   const auto options = given.read<EkfOptions>();
   EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
-                 makeMatchScan(options.ekf_landmarks, context), placesFor(context),
+                 makeMatchScan(options.ekf_landmarks, given, *context.ground.map),
+                 placesFor(context.ground, given),
                  std::make_unique<FreeSpaceSampler>(context.ground.map)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }

@@ -37,7 +37,7 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   }
   const FilterContext context{ground, setup.parameters,
                               static_cast<std::uint64_t>(setup.options.seed)};
-  auto filter = registry_.find(setup.options.filter).make(context);
+  auto filter = registries_.filters.make(setup.options.filter, context);
   if (belief) filter->reset(*belief);
   Confidence confidence(setup.confidence, ground.field);
   if (confidence_) confidence.goOnFrom(*confidence_);

@@ -55,7 +55,7 @@ bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a
 Localizer::Setup Localizer::read(Parameters parameters) {
   const auto given = parameters.read<LocalizerOptions>();
   loadPlugins(given.plugins);
-  const FilterDescription& filter = registry_.find(given.filter);
+  const FilterDescription& filter = registries_.filters.find(given.filter);
   Parameters preset;
   for (const auto& [key, value] : given.preset == "seed" ? filter.seed : filter.recommended) {
     preset.set(key, value);
@@ -66,9 +66,10 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.rivals = parameters.read<RivalsOptions>();
-  parameters.read<MatchOptions>();              // they are known, whoever needs them
-  for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
-    for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
+  parameters.read<MatchOptions>();                        // they are known, whoever needs them
+  for (const auto& name : registries_.filters.names()) {  // other cores' options are no mistakes
+    for (const auto& option : registries_.filters.find(name).options)
+      parameters.acknowledge(option.key);
   }
   setup.parameters = std::move(parameters);
   return setup;
@@ -78,7 +79,7 @@ void Localizer::loadPlugins(const std::string& paths) {
   std::istringstream stream(paths);
   for (std::string path; std::getline(stream, path, ':');) {
     if (path.empty() || loaded_plugins_.count(path)) continue;
-    registry_.loadLibrary(path);
+    registries_.loadLibrary(path);
     loaded_plugins_.insert(path);
   }
 }
@@ -87,7 +88,7 @@ bool Localizer::hasSameFilter(const Setup& setup) const {
   if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
     return false;
   }
-  return areEqual(registry_.find(setup.options.filter).options, setup_.parameters,
+  return areEqual(registries_.filters.find(setup.options.filter).options, setup_.parameters,
                   setup.parameters);
 }
 
@@ -106,7 +107,7 @@ std::vector<std::string> Localizer::unknownKeys() const {
 
 std::vector<OptionDescription> Localizer::effectiveOptions() const {
   std::vector<OptionDescription> rows = localizerOptions();
-  const auto& filter = registry_.find(setup_.options.filter).options;
+  const auto& filter = registries_.filters.find(setup_.options.filter).options;
   rows.insert(rows.end(), filter.begin(), filter.end());
   for (auto& row : rows) row.value = valueOf(row, setup_.parameters);
   return rows;
@@ -116,15 +117,15 @@ std::vector<OptionDescription> Localizer::allOptions() const {
   std::vector<OptionDescription> rows = effectiveOptions();
   std::set<std::string> keys;
   for (const auto& row : rows) keys.insert(row.key);
-  for (const auto& name : registry_.names()) {
-    for (const auto& option : registry_.find(name).options) {
+  for (const auto& name : registries_.filters.names()) {
+    for (const auto& option : registries_.filters.find(name).options) {
       if (!keys.insert(option.key).second) continue;
       rows.push_back(option);
       rows.back().value = valueOf(option, setup_.parameters);
     }
   }
   for (auto& row : rows) {
-    if (row.key == "filter") row.choices = registry_.names();
+    if (row.key == "filter") row.choices = registries_.filters.names();
   }
   return rows;
 }

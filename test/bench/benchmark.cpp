@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "adaptive_localization/core/parallel.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
@@ -77,7 +77,7 @@ void update(benchmark::State& state, const std::string& core, int particles, int
   context.parameters.set("max_particles", OptionValue{particles});
   context.parameters.set("swarm_size", OptionValue{particles});
   context.parameters.set("selective_resampling", OptionValue{false});
-  const auto filter = FilterRegistry().find(core).make(context);
+  const auto filter = builtins().filters.make(core, context);
   const Pose2 motion{0.1, 0.0, 0.02};
   const Observations there = observe(building(), kTruth * motion, beams);
   const Observations here = observe(building(), kTruth, beams);
@@ -142,7 +142,7 @@ void registerOthers() {
   for (const int count : {1000, 10000, 50000, 100000, 1000000}) {
     benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
   }
-  for (const auto& core : FilterRegistry().names()) {
+  for (const auto& core : builtins().filters.names()) {
     for (const auto& [particles, beams] : {std::pair{2000, 60}, {7500, 30}, {10000, 60}}) {
       const std::string name =
           "update/" + core + "/" + std::to_string(particles) + "/" + std::to_string(beams);

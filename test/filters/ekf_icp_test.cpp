@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
@@ -16,7 +16,7 @@ namespace {
 std::unique_ptr<Filter> makeEkf() {
   FilterContext context;
   context.ground = asymmetricWorld();
-  return FilterRegistry().find("ekf_icp").make(context);
+  return builtins().filters.make("ekf_icp", context);
 }
 
 Gaussian2 roughly(const Pose2& mean) {

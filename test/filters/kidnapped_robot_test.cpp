@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -18,8 +18,7 @@ class KidnappedRobot : public testing::Test {
  protected:
   std::unique_ptr<Filter> make(const std::string& name, const std::string& preset = "recommended",
                                std::uint64_t seed = 1) {
-    const FilterRegistry registry;
-    const FilterDescription& description = registry.find(name);
+    const FilterDescription& description = builtins().filters.find(name);
     FilterContext context;
     context.ground = map_;
     context.seed = seed;

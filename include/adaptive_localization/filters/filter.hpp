@@ -19,7 +19,7 @@ struct FilterContext {
   std::uint64_t seed{1};
 };
 
-/// A localization filter, chosen by name through the FilterRegistry.
+/// A localization filter, chosen by name (Registries).
 ///
 /// Given the same context and calls, it gives the same bits, for any number of threads.
 /// update never throws and never returns a number that is not finite, whatever it is given.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/filters/filter.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 #include "adaptive_localization/localizer/rivals.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
@@ -151,7 +151,7 @@ class Localizer {
   void conclude();
   Status judge() const;
 
-  FilterRegistry registry_;
+  Registries registries_ = builtins();
   std::set<std::string> loaded_plugins_;
   Setup setup_;
   Ground ground_;

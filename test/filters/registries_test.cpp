@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/registries.hpp"
 
 #include <gmock/gmock.h>
 
 #include <set>
 #include <stdexcept>
 
+#include "adaptive_localization/filters/builtins.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -31,30 +32,28 @@ FilterContext context() {
   return context;
 }
 
-TEST(FilterRegistry, StartsWithTheBuiltInFilters) {
-  const FilterRegistry registry;
+TEST(Builtins, AreThere) {
   for (const char* name : {"mcl", "kld", "amcl"}) {
-    EXPECT_THAT(registry.names(), Contains(name));
-    EXPECT_EQ(registry.find(name).name, name);
-    EXPECT_FALSE(registry.find(name).sentence.empty());
+    EXPECT_THAT(builtins().filters.names(), Contains(name));
+    EXPECT_EQ(builtins().filters.find(name).name, name);
+    EXPECT_FALSE(builtins().filters.find(name).sentence.empty());
   }
 }
 
-TEST(FilterRegistry, ListsTheKnownNamesWhenOneIsUnknown) {
-  const FilterRegistry registry;
-  EXPECT_THAT(complaint([&] { registry.find("amlc"); }),
-              AllOf(HasSubstr("'amlc'"), HasSubstr("amcl"), HasSubstr("kld"), HasSubstr("mcl")));
+TEST(Registries, ListTheKnownNamesWhenOneIsUnknown) {
+  EXPECT_THAT(complaint([&] { builtins().filters.find("amlc"); }),
+              AllOf(HasSubstr("option 'filter': got 'amlc', expected one of amcl, "),
+                    HasSubstr(", kld, "), HasSubstr(", mcl, ")));
 }
 
 /// Sizes with which one update takes seconds would leave the robot without a pose.
-TEST(FilterRegistry, RefusesSizesThatStallAndNamesTheirPrice) {
-  const FilterRegistry registry;
+TEST(Builtins, RefuseSizesThatStallAndNameTheirPrice) {
   const auto make = [&](const std::string& name, int particles, int beams, const char* model) {
     FilterContext with = context();
     with.parameters.set("max_particles", OptionValue(particles));
     with.parameters.set("laser_max_beams", OptionValue(beams));
     with.parameters.set("laser_model_type", OptionValue(std::string(model)));
-    return complaint([&] { registry.find(name).make(with); });
+    return complaint([&] { builtins().filters.make(name, with); });
   };
   for (const char* name : {"mcl", "kld", "amcl", "samcl", "sa_kld"}) {
     EXPECT_EQ(make(name, 100000, 720, "likelihood_field"), "no complaint") << name;
@@ -67,34 +66,18 @@ TEST(FilterRegistry, RefusesSizesThatStallAndNamesTheirPrice) {
   EXPECT_THAT(make("mcl", 10000000, 30, "likelihood_field"), HasSubstr("in [1, 1000000]"));
 }
 
-TEST(FilterRegistry, TakesMoreFiltersButNoNameTwice) {
-  FilterRegistry registry;
-  FilterDescription mine = registry.find("mcl");
-  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'mcl'"));
-  mine.name = "mine";
-  registry.add(mine);
-  EXPECT_THAT(registry.names(), Contains("mine"));
-  mine.name = "";
-  EXPECT_NE(complaint([&] { registry.add(mine); }), "no complaint");
-  mine.name = "nothing";
-  mine.make = nullptr;
-  EXPECT_THAT(complaint([&] { registry.add(mine); }), HasSubstr("'nothing'"));
-}
-
-TEST(FilterRegistry, NamesALibraryThatCannotBeLoaded) {
-  FilterRegistry registry;
-  EXPECT_THAT(complaint([&] { registry.loadLibrary("/nowhere/lib.so"); }),
+TEST(Registries, NameALibraryThatCannotBeLoaded) {
+  Registries registries;
+  EXPECT_THAT(complaint([&] { registries.loadLibrary("/nowhere/lib.so"); }),
               HasSubstr("/nowhere/lib.so"));
-  EXPECT_THAT(
-      complaint([&] { registry.loadLibrary("libm.so.6"); }),
-      AllOf(HasSubstr("libm.so.6"), HasSubstr("adaptive_localization_register_filters_v1")));
+  EXPECT_THAT(complaint([&] { registries.loadLibrary("libm.so.6"); }),
+              AllOf(HasSubstr("libm.so.6"), HasSubstr("adaptive_localization_register_v2")));
 }
 
 /// Every built-in filter reads exactly the options that it lists, and its presets are of those.
-TEST(FilterRegistry, FiltersReadTheOptionsTheyList) {
-  const FilterRegistry registry;
-  for (const auto& name : registry.names()) {
-    const FilterDescription& filter = registry.find(name);
+TEST(Builtins, ReadTheOptionsTheyList) {
+  for (const auto& name : builtins().filters.names()) {
+    const FilterDescription& filter = builtins().filters.find(name);
     FilterContext given = context();
     std::set<std::string> keys;
     for (const auto& option : filter.options) {
@@ -107,10 +90,9 @@ TEST(FilterRegistry, FiltersReadTheOptionsTheyList) {
   }
 }
 
-TEST(FilterRegistry, PresetsMakeFilters) {
-  const FilterRegistry registry;
-  for (const auto& name : registry.names()) {
-    const FilterDescription& filter = registry.find(name);
+TEST(Builtins, HavePresetsThatMakeFilters) {
+  for (const auto& name : builtins().filters.names()) {
+    const FilterDescription& filter = builtins().filters.find(name);
     for (const auto& preset : {filter.recommended, filter.seed}) {
       FilterContext given = context();
       for (const auto& [key, value] : preset) given.parameters.set(key, value);
