@@ -87,24 +87,30 @@ void printTable(const std::string& title, const std::vector<OptionDescription>& 
   std::cout << '\n';
 }
 
+template <class Description>
+void printModels(const Registry<Description>& known) {
+  for (const auto& name : known.names()) {
+    std::cout << "| `" << known.key() << "` | `" << name << "` | " << known.find(name).sentence
+              << " |\n";
+  }
+}
+
 void printTables() {
   const auto& filters = builtins().filters;
   std::cout << "| core | what it is |\n|---|---|\n";
-  std::vector<OptionDescription> of_filters;
-  std::set<std::string> seen;
   for (const auto& name : filters.names()) {
     const FilterDescription& filter = filters.find(name);
     std::cout << "| `" << name << "` | " << filter.sentence << " |\n";
-    for (const auto& option : filter.options) {
-      if (seen.insert(option.key).second) of_filters.push_back(option);
-    }
   }
+  std::cout << "\n| option | model | what it is |\n|---|---|---|\n";
+  printModels(builtins().motions);
+  printModels(builtins().observations);
   std::cout << "\nDefaults are those of the default core, " << LocalizerOptions{}.filter
             << ", with its recommended preset.\n\n";
   const Values values = defaultValues();
   printTable("Localizer", describe(LocalizerOptions{}), values);
   printTable("Scans", describe(ScanOptions{}), values);
-  printTable("Filters", of_filters, values);
+  printTable("Filters", optionsOfAll(builtins()), values);
   printTable("Matching scans", describe(MatchOptions{}), values);
   printTable("Confidence and status", describe(ConfidenceOptions{}), values);
   printTable("Energy grid", describe(EnergyGridOptions{}), values);

@@ -100,11 +100,7 @@ SearchSpace SwarmFixScene::space(bool is_torus) const {
 
 FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles,
                                         std::uint64_t seed) const {
-  FilterContext context;
-  context.ground.map = map_;
-  context.ground.field = distance_field_;
-  context.ground.places = places_;
-  context.seed = seed;
+  FilterContext context{builtins(), {map_, distance_field_, places_}, {}, seed};
   for (const auto& [key, value] : builtins().filters.find(filter).recommended) {
     context.parameters.set(key, value);
   }

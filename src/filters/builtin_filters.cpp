@@ -29,11 +29,12 @@ std::unique_ptr<Exploration> makeKidnapTest(const KidnapOptions& options,
 
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
   const Parameters& given = context.parameters;
-  checkPriceOfUpdate(given);
+  const auto& observations = context.models.observations;
+  checkPriceOfUpdate(given, observations.find(given.read<ObservationChoice>().laser_model_type));
   ParticleFilterParts parts;
-  parts.motion = makeMotionModel(given.read<MotionOptions>());
-  parts.observation = makeObservationModel(given.read<ObservationOptions>(), context.ground.map,
-                                           context.ground.field);
+  parts.motion = makeMotionModel(context.models.motions, given);
+  parts.observation =
+      makeObservationModel(observations, given, context.ground.map, context.ground.field);
   const auto sizes = given.read<SampleSizeOptions>();
   parts.size = size == Size::kKld ? kldSampleSize(sizes) : fixedSampleSize(sizes);
   if (looks == Looks::kNowhere) {
@@ -56,8 +57,8 @@ std::vector<OptionDescription> optionsOf(Looks looks) {
   const auto append = [&all](const std::vector<OptionDescription>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
   };
-  append(describe(MotionOptions{}));
-  append(describe(ObservationOptions{}));
+  append(describe(MotionChoice{}));
+  append(describe(ObservationChoice{}));
   append(describe(SampleSizeOptions{}));
   append(describe(ParticleFilterOptions{}));
   if (looks == Looks::kNowhere) return all;
@@ -87,7 +88,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   const Parameters& given = context.parameters;
   const auto places = placesFor(context.ground, given);
   SwarmFilterParts parts;
-  parts.motion = makeMotionModel(given.read<MotionOptions>());
+  parts.motion = makeMotionModel(context.models.motions, given);
   parts.move = makeSwarmMove(rule, given);
   std::optional<LeaderOptions> leaders;
   if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
@@ -112,7 +113,7 @@ FilterDescription swarmFilter(const std::string& name, const std::string& senten
   const auto append = [&all](const std::vector<OptionDescription>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
   };
-  append(describe(MotionOptions{}));
+  append(describe(MotionChoice{}));
   append(describe(SwarmFilterOptions{}));
   append(describe(SwarmFixOptions{}));
   append(describe(RangeObjectiveOptions{}));

@@ -32,7 +32,7 @@ MatchScan makeMatchScan(const std::string& landmarks, const Parameters& given,
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const Parameters& given = context.parameters;
   const auto options = given.read<EkfOptions>();
-  EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
+  EkfParts parts{makeMotionModel(context.models.motions, given),
                  makeMatchScan(options.ekf_landmarks, given, *context.ground.map),
                  placesFor(context.ground, given),
                  std::make_unique<FreeSpaceSampler>(context.ground.map)};
@@ -44,7 +44,7 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
 FilterDescription ekfIcp() {
   std::vector<OptionDescription> all;
   for (const auto& rows :
-       {describe(MotionOptions{}), describe(EkfOptions{}), describe(LineOptions{})}) {
+       {describe(MotionChoice{}), describe(EkfOptions{}), describe(LineOptions{})}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return {"ekf_icp",

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include <set>
 #include <stdexcept>
 
 #include "adaptive_localization/core/error_text.hpp"
@@ -28,6 +29,32 @@ std::string missingIn(void* library) {
   return expected + ", got " + kOldEntryPoint + ": it was written for an older version";
 }
 
+/// Rows of options in which no key is twice.
+class Rows {
+ public:
+  bool add(const OptionDescription& option) {
+    if (!keys_.insert(option.key).second) return false;
+    rows_.push_back(option);
+    return true;
+  }
+
+  /// What the last row, if it is the one that chooses among these, can choose.
+  template <class Description>
+  void addModels(const Registry<Description>& known) {
+    if (rows_.back().key != known.key()) return;
+    rows_.back().choices = known.names();
+    for (const auto& name : known.names()) {
+      for (const auto& option : known.find(name).options) add(option);
+    }
+  }
+
+  std::vector<OptionDescription> take() { return std::move(rows_); }
+
+ private:
+  std::set<std::string> keys_;
+  std::vector<OptionDescription> rows_;
+};
+
 }  // namespace
 
 void Registries::loadLibrary(const std::string& path) {
@@ -45,6 +72,26 @@ void Registries::loadLibrary(const std::string& path) {
     throw std::invalid_argument("plug-in '" + path + "': " + errorText());
   }
   *this = std::move(extended);
+}
+
+std::vector<OptionDescription> optionsOf(const FilterDescription& filter, const Models& models) {
+  Rows rows;
+  for (const auto& option : filter.options) {
+    if (!rows.add(option)) continue;
+    rows.addModels(models.motions);
+    rows.addModels(models.observations);
+  }
+  return rows.take();
+}
+
+std::vector<OptionDescription> optionsOfAll(const Registries& registries) {
+  Rows rows;
+  for (const auto& name : registries.filters.names()) {
+    for (const auto& option : optionsOf(registries.filters.find(name), registries)) {
+      rows.add(option);
+    }
+  }
+  return rows.take();
 }
 
 }  // namespace adaptive_localization

@@ -64,10 +64,11 @@ bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) 
   return isNear(estimate, kalman_.mean());
 }
 
-std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context) {
-  return std::make_unique<EstimateRefiner>(
-      makeScanMatcher(context.parameters.read<MatchOptions>(), *context.ground.map),
-      makeMotionModel(context.parameters.read<MotionOptions>()));
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
+                                                     const Parameters& given,
+                                                     const OccupancyGrid& map) {
+  return std::make_unique<EstimateRefiner>(makeScanMatcher(given.read<MatchOptions>(), map),
+                                           makeMotionModel(motions, given));
 }
 
 }  // namespace adaptive_localization

@@ -35,7 +35,7 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
                                              setup.parameters.read<EnergyGridOptions>(),
                                              setup.parameters.read<GlobalSearchOptions>());
   }
-  const FilterContext context{ground, setup.parameters,
+  const FilterContext context{registries_, ground, setup.parameters,
                               static_cast<std::uint64_t>(setup.options.seed)};
   auto filter = registries_.filters.make(setup.options.filter, context);
   if (belief) filter->reset(*belief);
@@ -44,7 +44,9 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   Rivals rivals(setup.rivals, ground.map, ground.field, ground.places);
   if (rivals_) rivals.goOnFrom(*rivals_);
 
-  auto refiner = setup.options.refine ? makeEstimateRefiner(context) : nullptr;
+  auto refiner = setup.options.refine
+                     ? makeEstimateRefiner(registries_.motions, context.parameters, *ground.map)
+                     : nullptr;
 
   setThreads(setup.options.threads);
   setup_ = std::move(setup);

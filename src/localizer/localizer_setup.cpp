@@ -67,9 +67,8 @@ Localizer::Setup Localizer::read(Parameters parameters) {
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.rivals = parameters.read<RivalsOptions>();
   parameters.read<MatchOptions>();                        // they are known, whoever needs them
-  for (const auto& name : registries_.filters.names()) {  // other cores' options are no mistakes
-    for (const auto& option : registries_.filters.find(name).options)
-      parameters.acknowledge(option.key);
+  for (const auto& option : optionsOfAll(registries_)) {  // other cores' options are no mistakes
+    parameters.acknowledge(option.key);
   }
   setup.parameters = std::move(parameters);
   return setup;
@@ -88,8 +87,8 @@ bool Localizer::hasSameFilter(const Setup& setup) const {
   if (setup.options.filter != setup_.options.filter || setup.options.seed != setup_.options.seed) {
     return false;
   }
-  return areEqual(registries_.filters.find(setup.options.filter).options, setup_.parameters,
-                  setup.parameters);
+  const FilterDescription& filter = registries_.filters.find(setup.options.filter);
+  return areEqual(optionsOf(filter, registries_), setup_.parameters, setup.parameters);
 }
 
 bool Localizer::hasSamePlaces(const Setup& setup) const {
@@ -107,7 +106,7 @@ std::vector<std::string> Localizer::unknownKeys() const {
 
 std::vector<OptionDescription> Localizer::effectiveOptions() const {
   std::vector<OptionDescription> rows = localizerOptions();
-  const auto& filter = registries_.filters.find(setup_.options.filter).options;
+  const auto filter = optionsOf(registries_.filters.find(setup_.options.filter), registries_);
   rows.insert(rows.end(), filter.begin(), filter.end());
   for (auto& row : rows) row.value = valueOf(row, setup_.parameters);
   return rows;
@@ -117,12 +116,10 @@ std::vector<OptionDescription> Localizer::allOptions() const {
   std::vector<OptionDescription> rows = effectiveOptions();
   std::set<std::string> keys;
   for (const auto& row : rows) keys.insert(row.key);
-  for (const auto& name : registries_.filters.names()) {
-    for (const auto& option : registries_.filters.find(name).options) {
-      if (!keys.insert(option.key).second) continue;
-      rows.push_back(option);
-      rows.back().value = valueOf(option, setup_.parameters);
-    }
+  for (const auto& option : optionsOfAll(registries_)) {
+    if (!keys.insert(option.key).second) continue;
+    rows.push_back(option);
+    rows.back().value = valueOf(option, setup_.parameters);
   }
   for (auto& row : rows) {
     if (row.key == "filter") row.choices = registries_.filters.names();

@@ -26,9 +26,7 @@ const std::shared_ptr<const OccupancyGrid>& building() {
 }
 
 FilterContext contextFor(const std::shared_ptr<const OccupancyGrid>& map) {
-  FilterContext context;
-  context.ground = map;
-  return context;
+  return {builtins(), map};
 }
 
 void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) {
@@ -45,9 +43,8 @@ void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) 
 
 void score(benchmark::State& state, const std::string& name, int particles, int beams,
            Spread kind) {
-  ObservationOptions options;
-  options.laser_model_type = name;
-  const auto model = makeObservationModel(options, building(), contextFor(building()).ground.field);
+  const auto model = builtins().observations.make(name, Parameters{}, building(),
+                                                  contextFor(building()).ground.field);
   const Observations observations = observe(building(), kTruth, beams);
   const Particles cloud = spread(kind, particles, building());
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles);
@@ -101,7 +98,7 @@ void distanceField(benchmark::State& state, int side) {
   const HeapMeter heap;  // what a running filter holds for each cell of the map
   const FilterContext context = contextFor(toyBuilding(side));
   const auto model =
-      makeObservationModel(ObservationOptions{}, context.ground.map, context.ground.field);
+      makeObservationModel(builtins().observations, {}, context.ground.map, context.ground.field);
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(1);
   model->score(observe(map, kTruth, 60), Particles(1), log_likelihood);
   state.counters["bytes_per_cell"] =

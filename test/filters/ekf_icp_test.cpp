@@ -7,6 +7,7 @@
 
 #include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -14,9 +15,7 @@ namespace adaptive_localization {
 namespace {
 
 std::unique_ptr<Filter> makeEkf() {
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  return builtins().filters.make("ekf_icp", context);
+  return builtins().filters.make("ekf_icp", FilterContext{builtins(), asymmetricWorld()});
 }
 
 Gaussian2 roughly(const Pose2& mean) {
@@ -95,7 +94,7 @@ TEST(EkfIcp, SaysThatItDoesNotKnowFromWhereToMatch) {
   const auto field = std::make_shared<const DistanceField>(*map);
   int calls = 0;
   EkfParts parts;
-  parts.motion = makeMotionModel({});
+  parts.motion = std::make_unique<DifferentialDrive>(MotionOptions{});
   parts.match = [&calls](const Pose2& guess, const Scan&, const Eigen::Matrix3d&) {
     Match match;
     match.T_map_base = guess;

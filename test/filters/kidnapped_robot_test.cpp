@@ -19,9 +19,7 @@ class KidnappedRobot : public testing::Test {
   std::unique_ptr<Filter> make(const std::string& name, const std::string& preset = "recommended",
                                std::uint64_t seed = 1) {
     const FilterDescription& description = builtins().filters.find(name);
-    FilterContext context;
-    context.ground = map_;
-    context.seed = seed;
+    FilterContext context{builtins(), map_, {}, seed};
     for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
       context.parameters.set(key, value);
     }

@@ -14,6 +14,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 template <class Call>
@@ -27,9 +28,7 @@ std::string complaint(const Call& call) {
 }
 
 FilterContext context() {
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  return context;
+  return {builtins(), asymmetricWorld()};
 }
 
 TEST(Builtins, AreThere) {
@@ -44,6 +43,18 @@ TEST(Registries, ListTheKnownNamesWhenOneIsUnknown) {
   EXPECT_THAT(complaint([&] { builtins().filters.find("amlc"); }),
               AllOf(HasSubstr("option 'filter': got 'amlc', expected one of amcl, "),
                     HasSubstr(", kld, "), HasSubstr(", mcl, ")));
+}
+
+TEST(Builtins, MakeNoFilterOfAModelThatNobodyKnows) {
+  FilterContext given = context();
+  given.parameters.set("laser_model_type", OptionValue(std::string("radar")));
+  EXPECT_EQ(complaint([&] { builtins().filters.make("mcl", given); }),
+            "option 'laser_model_type': got 'radar', expected one of beam, inverse_l1, "
+            "likelihood_field, likelihood_field_cubed, likelihood_field_prob");
+  given.parameters.set("odom_model_type", OptionValue(std::string("legs")));
+  EXPECT_EQ(complaint([&] { builtins().filters.make("ekf_icp", given); }),
+            "option 'odom_model_type': got 'legs', expected one of diff, diff-corrected, omni, "
+            "omni-corrected");
 }
 
 /// Sizes with which one update takes seconds would leave the robot without a pose.
@@ -80,7 +91,7 @@ TEST(Builtins, ReadTheOptionsTheyList) {
     const FilterDescription& filter = builtins().filters.find(name);
     FilterContext given = context();
     std::set<std::string> keys;
-    for (const auto& option : filter.options) {
+    for (const auto& option : optionsOf(filter, builtins())) {
       EXPECT_TRUE(keys.insert(option.key).second) << name << " lists " << option.key << " twice";
       EXPECT_FALSE(option.sentence.empty()) << option.key;
       given.parameters.set(option.key, option.value);
@@ -88,6 +99,35 @@ TEST(Builtins, ReadTheOptionsTheyList) {
     filter.make(given);
     EXPECT_THAT(given.parameters.unknownKeys(), testing::IsEmpty()) << name;
   }
+}
+
+std::vector<std::string> keysOf(const std::vector<OptionDescription>& options) {
+  std::vector<std::string> keys;
+  for (const auto& option : options) keys.push_back(option.key);
+  return keys;
+}
+
+TEST(OptionsOf, AreTheFiltersAndThoseOfEachModelThatItCanBeMadeOf) {
+  Registries registries;
+  const auto option = [](const std::string& key) {
+    return OptionDescription{key, OptionValue{std::string()}, {}, {}, "", ""};
+  };
+  registries.motions.add({"crawl", "", [](const Parameters&) { return nullptr; }, {option("a")}});
+  registries.motions.add(
+      {"jump", "", [](const Parameters&) { return nullptr; }, {option("b"), option("a")}});
+  const FilterDescription filter{"mine",
+                                 "",
+                                 [](const FilterContext&) { return nullptr; },
+                                 {option("x"), option("odom_model_type"), option("y")},
+                                 {},
+                                 {}};
+  const auto options = optionsOf(filter, registries);
+  EXPECT_THAT(keysOf(options), ElementsAre("x", "odom_model_type", "a", "b", "y"));
+  EXPECT_THAT(options[1].choices, ElementsAre("crawl", "jump"));
+  registries.filters.add(filter);
+  registries.filters.add({"z", "", filter.make, {option("z"), option("y")}, {}, {}});
+  EXPECT_THAT(keysOf(optionsOfAll(registries)),
+              ElementsAre("x", "odom_model_type", "a", "b", "y", "z"));
 }
 
 TEST(Builtins, HavePresetsThatMakeFilters) {

@@ -17,9 +17,7 @@ using Values = std::map<std::string, OptionValue>;
 std::unique_ptr<Filter> makeSwarm(const std::string& name, const std::string& preset,
                                   const Values& more = {}, std::uint64_t seed = 1) {
   const FilterDescription& description = builtins().filters.find(name);
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  context.seed = seed;
+  FilterContext context{builtins(), asymmetricWorld(), {}, seed};
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);
   }

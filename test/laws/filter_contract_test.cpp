@@ -24,9 +24,7 @@ std::unique_ptr<Filter> makeFilter(const Case& which, int max_particles, std::ui
                                    const Values& more = {}) {
   const auto& [name, preset] = which;
   const FilterDescription& description = builtins().filters.find(name);
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  context.seed = seed;
+  FilterContext context{builtins(), asymmetricWorld(), {}, seed};
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);
   }

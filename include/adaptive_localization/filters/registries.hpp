@@ -18,13 +18,13 @@ struct FilterDescription {
   std::string name;
   std::string sentence;
   std::function<std::unique_ptr<Filter>(const FilterContext&)> make;
-  std::vector<OptionDescription> options;  // all that make() reads
+  std::vector<OptionDescription> options;  // all that make() reads but the options of models
   std::map<std::string, OptionValue> recommended;
   std::map<std::string, OptionValue> seed;  // the literature's form, for comparison
 };
 
 /// All that is chosen by name.
-struct Registries {
+struct Registries : Models {
   Registry<FilterDescription> filters{"filter"};
 
   /// Loads a shared library and lets it add what it brings. The library defines
@@ -35,5 +35,12 @@ struct Registries {
   /// what is wrong with it; nothing is added then.
   void loadLibrary(const std::string& path);
 };
+
+/// A filter's options and, after one that chooses a model, those of all such models, whichever is
+/// chosen: the names of these are that option's choices.
+std::vector<OptionDescription> optionsOf(const FilterDescription& filter, const Models& models);
+
+/// The same of all filters; each key once.
+std::vector<OptionDescription> optionsOfAll(const Registries& registries);
 
 }  // namespace adaptive_localization
