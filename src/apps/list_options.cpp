@@ -105,6 +105,7 @@ void printTables() {
   std::cout << "\n| option | model | what it is |\n|---|---|---|\n";
   printModels(builtins().motions);
   printModels(builtins().observations);
+  printModels(builtins().resamplings);
   std::cout << "\nDefaults are those of the default core, " << LocalizerOptions{}.filter
             << ", with its recommended preset.\n\n";
   const Values values = defaultValues();

@@ -35,6 +35,7 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
   parts.motion = makeMotionModel(context.models.motions, given);
   parts.observation =
       makeObservationModel(observations, given, context.ground.map, context.ground.field);
+  parts.resampling = makeResampling(context.models.resamplings, given);
   const auto sizes = given.read<SampleSizeOptions>();
   parts.size = size == Size::kKld ? kldSampleSize(sizes) : fixedSampleSize(sizes);
   if (looks == Looks::kNowhere) {
@@ -60,6 +61,7 @@ std::vector<OptionDescription> optionsOf(Looks looks) {
   append(describe(MotionChoice{}));
   append(describe(ObservationChoice{}));
   append(describe(SampleSizeOptions{}));
+  append(describe(ResamplingChoice{}));
   append(describe(ParticleFilterOptions{}));
   if (looks == Looks::kNowhere) return all;
   append(looks == Looks::kKidnapTest ? describe(KidnapOptions{}) : describe(ExplorationOptions{}));

@@ -76,10 +76,20 @@ void addObservations(Registry<ObservationDescription>& observations) {
       }));
 }
 
+void addResamplings(Registry<ResamplingDescription>& resamplings) {
+  const auto add = [&](const std::string& name, const std::string& sentence, Resampling scheme) {
+    resamplings.add({name, sentence, [scheme](const Parameters&) { return scheme; }, {}});
+  };
+  add("systematic", "All draws by one random number: the least variance.", systematicIndices);
+  add("stratified", "A random number for each draw, evenly spread.", stratifiedIndices);
+  add("multinomial", "Independent draws, as amcl has them.", multinomialIndices);
+}
+
 Registries makeBuiltins() {
   Registries registries;
   addMotions(registries.motions);
   addObservations(registries.observations);
+  addResamplings(registries.resamplings);
   for (auto& filter : builtinFilters()) registries.filters.add(std::move(filter));
   return registries;
 }

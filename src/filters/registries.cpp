@@ -80,6 +80,7 @@ std::vector<OptionDescription> optionsOf(const FilterDescription& filter, const 
     if (!rows.add(option)) continue;
     rows.addModels(models.motions);
     rows.addModels(models.observations);
+    rows.addModels(models.resamplings);
   }
   return rows.take();
 }

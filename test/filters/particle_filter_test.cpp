@@ -88,6 +88,7 @@ ParticleFilter makeFilter(const std::shared_ptr<Recording>& recording, bool sele
   ParticleFilterParts parts;
   parts.motion = std::make_unique<DifferentialDrive>(motion);
   parts.observation = std::make_unique<HillModel>();
+  parts.resampling = systematicIndices;
   parts.size = std::make_unique<ScriptedSize>(recording);
   parts.exploration = std::make_unique<ScriptedExploration>(recording);
   parts.elsewhere = std::make_unique<ScriptedSampler>(recording);
@@ -248,6 +249,7 @@ TEST(ParticleFilter, StartsAnewWithAsManyParticlesAsTheNewBeliefNeeds) {
   ParticleFilterParts parts;
   parts.motion = std::make_unique<DifferentialDrive>(MotionOptions{});
   parts.observation = std::make_unique<HillModel>();
+  parts.resampling = systematicIndices;
   parts.size = kldSampleSize(sizes);
   parts.exploration = noExploration();
   parts.elsewhere = std::make_unique<FreeSpaceSampler>(asymmetricWorld());

@@ -4,6 +4,7 @@
 #include "adaptive_localization/core/registry.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
+#include "adaptive_localization/particle/resampling.hpp"
 
 namespace adaptive_localization {
 
@@ -11,6 +12,7 @@ namespace adaptive_localization {
 struct Models {
   Registry<MotionDescription> motions{"odom_model_type"};
   Registry<ObservationDescription> observations{"laser_model_type"};
+  Registry<ResamplingDescription> resamplings{"resampling_scheme"};
 };
 
 }  // namespace adaptive_localization
