@@ -18,18 +18,19 @@ using testing::IsEmpty;
 
 Parameters withPlugin() {
   Parameters parameters;
-  parameters.set("plugins", OptionValue{std::string(PLUGIN)});
+  parameters.set("plugins", OptionValue{std::string(DEAD_RECKONING_PLUGIN)});
   parameters.set("filter", OptionValue{std::string("dead_reckoning")});
   return parameters;
 }
 
 TEST(Plugin, AddsItsFilterToTheRegistry) {
   Registries registries = builtins();
-  registries.loadLibrary(PLUGIN);
+  registries.loadLibrary(DEAD_RECKONING_PLUGIN);
   EXPECT_THAT(registries.filters.names(), Contains("dead_reckoning"));
   EXPECT_THAT(registries.filters.names(), Contains("mcl"));
   EXPECT_EQ(registries.filters.find("dead_reckoning").options.at(0).key, "dead_reckoning_scale");
-  EXPECT_THROW(registries.loadLibrary(PLUGIN), std::invalid_argument);  // the name is taken
+  EXPECT_THROW(registries.loadLibrary(DEAD_RECKONING_PLUGIN),
+               std::invalid_argument);  // the name is taken
 }
 
 std::string complaintAbout(const std::string& library) {
@@ -131,7 +132,7 @@ TEST(Plugin, HasOptionsAndPresets) {
 
 TEST(Plugin, IsNamedWhenItIsMissing) {
   Parameters parameters = withPlugin();
-  parameters.set("plugins", OptionValue{std::string(PLUGIN) + ":/nowhere/lib.so"});
+  parameters.set("plugins", OptionValue{std::string(DEAD_RECKONING_PLUGIN) + ":/nowhere/lib.so"});
   try {
     Localizer(parameters, asymmetricWorld());
     FAIL() << "loaded a library that does not exist";

@@ -39,7 +39,7 @@ struct LocalizerOptions {
     option("preset", preset, Choices{"recommended", "seed"},
            "Values of options that are not given: what we recommend, or the literature's.");
     option("plugins", plugins, Choices{},
-           "Shared libraries with filter cores of your own, separated by colons.");
+           "Shared libraries with filter cores and models of your own, separated by colons.");
     option("seed", seed, kWhole, "", "Seed of all randomness.");
     option("threads", threads, Range{1, 256}, "", "Threads used by one update.");
     option("update_min_d", update_min_d, kNotNegative, "m",
