@@ -89,24 +89,31 @@ void printTable(const std::string& title, const std::vector<OptionDescription>& 
   std::cout << '\n';
 }
 
-void printTables() {
-  const FilterRegistry registry;
-  std::cout << "| core | what it is |\n|---|---|\n";
-  std::vector<OptionDescription> of_filters;
-  std::set<std::string> seen;
-  for (const auto& name : registry.names()) {
-    const FilterDescription& filter = registry.find(name);
-    std::cout << "| `" << name << "` | " << filter.sentence << " |\n";
-    for (const auto& option : filter.options) {
-      if (seen.insert(option.key).second) of_filters.push_back(option);
-    }
+template <class Description>
+void printModels(const Registry<Description>& known) {
+  for (const auto& name : known.names()) {
+    std::cout << "| `" << known.key() << "` | `" << name << "` | " << known.find(name).sentence
+              << " |\n";
   }
+}
+
+void printTables() {
+  const auto& filters = builtins().filters;
+  std::cout << "| core | what it is |\n|---|---|\n";
+  for (const auto& name : filters.names()) {
+    const FilterDescription& filter = filters.find(name);
+    std::cout << "| `" << name << "` | " << filter.sentence << " |\n";
+  }
+  std::cout << "\n| option | model | what it is |\n|---|---|---|\n";
+  printModels(builtins().motions);
+  printModels(builtins().observations);
+  printModels(builtins().resamplings);
   std::cout << "\nDefaults are those of the default core, " << LocalizerOptions{}.filter
             << ", with its recommended preset.\n\n";
   const Values values = defaultValues();
   printTable("Localizer", describe(LocalizerOptions{}), values);
   printTable("Scans", describe(ScanOptions{}), values);
-  printTable("Filters", of_filters, values);
+  printTable("Filters", optionsOfAll(builtins()), values);
   printTable("Matching scans", describe(MatchOptions{}), values);
   printTable("Confidence and status", describe(ConfidenceOptions{}), values);
   printTable("Energy grid", describe(EnergyGridOptions{}), values);
@@ -120,7 +127,7 @@ void printYaml(const std::string& core, const std::string& preset) {
   parameters.set("preset", OptionValue{preset});
   const Localizer localizer(parameters, trialMap());
   std::cout << "# Core " << core << ", preset " << preset << ": "
-            << FilterRegistry{}.find(core).sentence << '\n';
+            << builtins().filters.find(core).sentence << '\n';
   for (const auto& option : localizer.effectiveOptions()) {
     if (exactText(option.value).empty()) continue;  // a folder of your own
     const std::string limits = allowed(option);

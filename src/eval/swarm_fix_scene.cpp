@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "swarm_fix_scene.hpp"
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/sim/world.hpp"
@@ -100,13 +100,8 @@ SearchSpace SwarmFixScene::space(bool is_torus) const {
 
 FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles,
                                         std::uint64_t seed) const {
-  FilterContext context;
-  context.ground.map = map_;
-  context.ground.field = distance_field_;
-  context.ground.places = places_;
-  context.seed = seed;
-  const FilterRegistry registry;
-  for (const auto& [key, value] : registry.find(filter).recommended) {
+  FilterContext context{builtins(), {map_, distance_field_, places_}, {}, seed};
+  for (const auto& [key, value] : builtins().filters.find(filter).recommended) {
     context.parameters.set(key, value);
   }
   context.parameters.set("line_map", OptionValue(world_file_));

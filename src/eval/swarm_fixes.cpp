@@ -6,7 +6,7 @@
 
 #include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/eval/stopwatch.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/swarm/swarm_search.hpp"
 #include "swarm_fix_scene.hpp"
 
@@ -158,13 +158,12 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
       }
     }
   }
-  const FilterRegistry registry;
   for (const std::string& filter : plan.filters) {
     for (const int count : plan.searchers) {
       cells.push_back(
           runAll({"its own", filter, count, plan.runs}, scene, [&](Sight& sight, int seed) {
             const auto context = scene.contextFor(filter, count, static_cast<std::uint64_t>(seed));
-            return localizeWith(*registry.find(filter).make(context), scene, sight);
+            return localizeWith(*builtins().filters.make(filter, context), scene, sight);
           }));
     }
   }

@@ -18,19 +18,21 @@ enum class Looks { kNowhere, kAugmented, kKidnapTest };  // when particles are d
 
 std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterContext& context) {
   const Parameters& given = context.parameters;
-  checkPriceOfUpdate(given);
+  const auto& observations = context.models.observations;
+  checkPriceOfUpdate(given, observations.find(given.read<ObservationChoice>().laser_model_type));
   ParticleFilterParts parts;
-  parts.motion = makeMotionModel(given.read<MotionOptions>());
-  parts.observation = makeObservationModel(given.read<ObservationOptions>(), context.ground.map,
-                                           context.ground.field);
+  parts.motion = makeMotionModel(context.models.motions, given);
+  parts.observation =
+      makeObservationModel(observations, given, context.ground.map, context.ground.field);
+  parts.resampling = makeResampling(context.models.resamplings, given);
   const auto sizes = given.read<SampleSizeOptions>();
   parts.size = size == Size::kKld ? kldSampleSize(sizes) : fixedSampleSize(sizes);
   if (looks == Looks::kNowhere) {
     parts.exploration = noExploration();
     parts.elsewhere = std::make_unique<FreeSpaceSampler>(context.ground.map);
   } else {
-    const auto places = placesFor(context);
-    parts.elsewhere = makeSampler(context, places);
+    const auto places = placesFor(context.ground, given);
+    parts.elsewhere = makeSampler(given, context.ground.map, places);
     parts.exploration = looks == Looks::kKidnapTest
                             ? kidnapTest(given.read<KidnapOptions>(), context.ground.map)
                             : augmentedExploration(given.read<ExplorationOptions>());
@@ -44,9 +46,10 @@ std::vector<OptionDescription> optionsOf(Looks looks) {
   const auto append = [&all](const std::vector<OptionDescription>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
   };
-  append(describe(MotionOptions{}));
-  append(describe(ObservationOptions{}));
+  append(describe(MotionChoice{}));
+  append(describe(ObservationChoice{}));
   append(describe(SampleSizeOptions{}));
+  append(describe(ResamplingChoice{}));
   append(describe(ParticleFilterOptions{}));
   if (looks == Looks::kNowhere) return all;
   append(looks == Looks::kKidnapTest ? describe(KidnapOptions{}) : describe(ExplorationOptions{}));
@@ -73,9 +76,9 @@ std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
 
 std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context) {
   const Parameters& given = context.parameters;
-  const auto places = placesFor(context);
+  const auto places = placesFor(context.ground, given);
   SwarmFilterParts parts;
-  parts.motion = makeMotionModel(given.read<MotionOptions>());
+  parts.motion = makeMotionModel(context.models.motions, given);
   parts.move = makeSwarmMove(rule, given);
   std::optional<LeaderOptions> leaders;
   if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
@@ -89,7 +92,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
                                              given.read<EnergyGridOptions>().energy_max_range,
                                              context.ground.map, context.ground.field, places,
                                              std::move(matcher));
-  parts.elsewhere = makeSampler(context, places);
+  parts.elsewhere = makeSampler(given, context.ground.map, places);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);
 }
@@ -100,7 +103,7 @@ FilterDescription swarmFilter(const std::string& name, const std::string& senten
   const auto append = [&all](const std::vector<OptionDescription>& rows) {
     all.insert(all.end(), rows.begin(), rows.end());
   };
-  append(describe(MotionOptions{}));
+  append(describe(MotionChoice{}));
   append(describe(SwarmFilterOptions{}));
   append(describe(SwarmFixOptions{}));
   append(describe(RangeObjectiveOptions{}));

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/registries.hpp"
 
 namespace adaptive_localization {
 

@@ -3,20 +3,21 @@
 
 namespace adaptive_localization {
 
-std::shared_ptr<Places> placesFor(const FilterContext& context) {
-  const auto grid = context.parameters.read<EnergyGridOptions>();
-  const auto search = context.parameters.read<GlobalSearchOptions>();
-  if (context.ground.places) return context.ground.places;
-  return std::make_shared<Places>(context.ground.map, context.ground.field, grid, search);
+std::shared_ptr<Places> placesFor(const Ground& ground, const Parameters& given) {
+  const auto grid = given.read<EnergyGridOptions>();
+  const auto search = given.read<GlobalSearchOptions>();
+  if (ground.places) return ground.places;
+  return std::make_shared<Places>(ground.map, ground.field, grid, search);
 }
 
-std::unique_ptr<PoseSampler> makeSampler(const FilterContext& context,
+std::unique_ptr<PoseSampler> makeSampler(const Parameters& given,
+                                         const std::shared_ptr<const OccupancyGrid>& map,
                                          const std::shared_ptr<Places>& places) {
-  const auto options = context.parameters.read<PlaceSamplerOptions>();
-  const std::string where = context.parameters.read<ElsewhereOptions>().elsewhere;
-  if (where == "ser") return std::make_unique<SerSampler>(places, context.ground.map);
-  if (where == "free") return std::make_unique<FreeSpaceSampler>(context.ground.map);
-  return std::make_unique<PlaceSampler>(options, places, context.ground.map);
+  const auto options = given.read<PlaceSamplerOptions>();
+  const std::string where = given.read<ElsewhereOptions>().elsewhere;
+  if (where == "ser") return std::make_unique<SerSampler>(places, map);
+  if (where == "free") return std::make_unique<FreeSpaceSampler>(map);
+  return std::make_unique<PlaceSampler>(options, places, map);
 }
 
 }  // namespace adaptive_localization

@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filters/filter.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/ser/ground.hpp"
 #include "adaptive_localization/ser/place_sampler.hpp"
 
 namespace adaptive_localization {
@@ -20,11 +21,12 @@ struct ElsewhereOptions {
   }
 };
 
-/// The context's places, or places of one's own.
-std::shared_ptr<Places> placesFor(const FilterContext& context);
+/// The ground's places, or places of one's own as the options say.
+std::shared_ptr<Places> placesFor(const Ground& ground, const Parameters& given);
 
 /// Draws poses elsewhere, as the options say.
-std::unique_ptr<PoseSampler> makeSampler(const FilterContext& context,
+std::unique_ptr<PoseSampler> makeSampler(const Parameters& given,
+                                         const std::shared_ptr<const OccupancyGrid>& map,
                                          const std::shared_ptr<Places>& places);
 
 }  // namespace adaptive_localization

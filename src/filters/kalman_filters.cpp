@@ -11,15 +11,16 @@
 namespace adaptive_localization {
 namespace {
 
-MatchScan makeMatchScan(const std::string& landmarks, const FilterContext& context) {
-  const auto options = context.parameters.read<MatchOptions>();
-  const auto lines = context.parameters.read<LineOptions>();
-  if (landmarks == "hits") return matchBy(makeScanMatcher(options, *context.ground.map));
+MatchScan makeMatchScan(const std::string& landmarks, const Parameters& given,
+                        const OccupancyGrid& map) {
+  const auto options = given.read<MatchOptions>();
+  const auto lines = given.read<LineOptions>();
+  if (landmarks == "hits") return matchBy(makeScanMatcher(options, map));
   if (options.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, context.ground.map->lattice())));
+  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, map.lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
@@ -27,9 +28,10 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const auto options = given.read<EkfOptions>();
   PlaceSamplerOptions places;
   places.place_ser_share = 0.0;  // the best places alone
-  EkfParts parts{makeMotionModel(given.read<MotionOptions>()),
-                 makeMatchScan(options.ekf_landmarks, context),
-                 std::make_unique<PlaceSampler>(places, placesFor(context), context.ground.map)};
+  EkfParts parts{
+      makeMotionModel(context.models.motions, given),
+      makeMatchScan(options.ekf_landmarks, given, *context.ground.map),
+      std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }
 
@@ -38,7 +40,7 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
 FilterDescription ekfIcp() {
   std::vector<OptionDescription> all;
   for (const auto& rows :
-       {describe(MotionOptions{}), describe(EkfOptions{}), describe(LineOptions{})}) {
+       {describe(MotionChoice{}), describe(EkfOptions{}), describe(LineOptions{})}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return {"ekf_icp",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/registries.hpp"
 
 namespace adaptive_localization {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "adaptive_localization/particle/gaussian_cloud.hpp"
-#include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 
 namespace adaptive_localization {
@@ -100,7 +99,7 @@ void ParticleFilter::resample(const Eigen::ArrayXd& weights, double elsewhere) {
   const Eigen::Index count =
       parts_.size->next({particles_, weights, *parts_.elsewhere, elsewhere}, rng_);
   const auto away = static_cast<Eigen::Index>(std::floor(elsewhere * static_cast<double>(count)));
-  Particles next = select(particles_, systematicIndices(weights, count - away, rng_));
+  Particles next = select(particles_, parts_.resampling(weights, count - away, rng_));
   const Eigen::Index stay = next.size();
   next.x.conservativeResize(count);
   next.y.conservativeResize(count);

@@ -8,6 +8,7 @@
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/exploration.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
+#include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/sample_size.hpp"
 
 namespace adaptive_localization {
@@ -33,6 +34,7 @@ struct ParticleFilterOptions {
 struct ParticleFilterParts {
   std::unique_ptr<MotionModel> motion;
   std::unique_ptr<ObservationModel> observation;
+  Resampling resampling;
   std::unique_ptr<SampleSize> size;
   std::unique_ptr<Exploration> exploration;
   std::unique_ptr<PoseSampler> elsewhere;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/observation/observation_model.hpp"
 
 namespace adaptive_localization {
 
@@ -9,6 +10,6 @@ namespace adaptive_localization {
 /// many particles, so many beams, and what the observation model takes for a beam. Priced in
 /// look-ups of the likelihood field, which are the same on every machine.
 /// Throws std::invalid_argument naming options, values and price.
-void checkPriceOfUpdate(const Parameters& given);
+void checkPriceOfUpdate(const Parameters& given, const ObservationDescription& model);
 
 }  // namespace adaptive_localization

@@ -64,10 +64,11 @@ bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) 
   return isNear(estimate, tracker_.mean());
 }
 
-std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context) {
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
+                                                     const Parameters& given,
+                                                     const OccupancyGrid& map) {
   return std::make_unique<EstimateRefiner>(
-      matchBy(makeScanMatcher(context.parameters.read<MatchOptions>(), *context.ground.map)),
-      makeMotionModel(context.parameters.read<MotionOptions>()));
+      matchBy(makeScanMatcher(given.read<MatchOptions>(), map)), makeMotionModel(motions, given));
 }
 
 }  // namespace adaptive_localization

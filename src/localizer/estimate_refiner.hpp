@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "adaptive_localization/filters/filter.hpp"
+#include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "match/scan_tracker.hpp"
@@ -38,7 +38,10 @@ class EstimateRefiner {
   std::optional<Match> match_;
 };
 
-/// By the options of matching and motion. Throws std::invalid_argument as makeScanMatcher().
-std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const FilterContext& context);
+/// By the options of matching and motion. Throws std::invalid_argument as makeScanMatcher() and
+/// makeMotionModel().
+std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
+                                                     const Parameters& given,
+                                                     const OccupancyGrid& map);
 
 }  // namespace adaptive_localization

@@ -54,13 +54,15 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
                                              setup.parameters.read<EnergyGridOptions>(),
                                              setup.parameters.read<GlobalSearchOptions>());
   }
-  const FilterContext context{ground, setup.parameters,
+  const FilterContext context{reader_.registries(), ground, setup.parameters,
                               static_cast<std::uint64_t>(setup.options.seed)};
-  auto filter = reader_.registry().find(setup.options.filter).make(context);
+  auto filter = reader_.registries().filters.make(setup.options.filter, context);
   if (belief) filter->reset(*belief);
   Recovery recovery(setup.confidence, ground);
   if (recovery_) recovery.goOnFrom(*recovery_);
-  auto refiner = setup.options.refine ? makeEstimateRefiner(context) : nullptr;
+  auto refiner = setup.options.refine ? makeEstimateRefiner(reader_.registries().motions,
+                                                            context.parameters, *ground.map)
+                                      : nullptr;
 
   setThreads(setup.options.threads);
   setup_ = std::move(setup);

@@ -57,7 +57,7 @@ bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a
 Setup SetupReader::read(Parameters parameters) {
   const auto given = parameters.read<LocalizerOptions>();
   loadPlugins(given.plugins);
-  const FilterDescription& filter = registry_.find(given.filter);
+  const FilterDescription& filter = registries_.filters.find(given.filter);
   Parameters preset;
   for (const auto& [key, value] : given.preset == "seed" ? filter.seed : filter.recommended) {
     preset.set(key, value);
@@ -67,9 +67,9 @@ Setup SetupReader::read(Parameters parameters) {
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
-  parameters.read<MatchOptions>();              // they are known, whoever needs them
-  for (const auto& name : registry_.names()) {  // other cores' options are no mistakes
-    for (const auto& option : registry_.find(name).options) parameters.acknowledge(option.key);
+  parameters.read<MatchOptions>();                        // they are known, whoever needs them
+  for (const auto& option : optionsOfAll(registries_)) {  // other cores' options are no mistakes
+    parameters.acknowledge(option.key);
   }
   setup.parameters = std::move(parameters);
   return setup;
@@ -79,14 +79,15 @@ void SetupReader::loadPlugins(const std::string& paths) {
   std::istringstream stream(paths);
   for (std::string path; std::getline(stream, path, ':');) {
     if (path.empty() || loaded_plugins_.count(path)) continue;
-    registry_.loadLibrary(path);
+    registries_.loadLibrary(path);
     loaded_plugins_.insert(path);
   }
 }
 
 bool SetupReader::haveSameFilter(const Setup& a, const Setup& b) const {
-  return a.options.filter == b.options.filter && a.options.seed == b.options.seed &&
-         areEqual(registry_.find(a.options.filter).options, a.parameters, b.parameters);
+  if (a.options.filter != b.options.filter || a.options.seed != b.options.seed) return false;
+  const FilterDescription& filter = registries_.filters.find(a.options.filter);
+  return areEqual(optionsOf(filter, registries_), a.parameters, b.parameters);
 }
 
 bool SetupReader::haveSamePlaces(const Setup& a, const Setup& b) const {
@@ -100,7 +101,7 @@ bool SetupReader::haveSameMatcher(const Setup& a, const Setup& b) const {
 
 std::vector<OptionDescription> SetupReader::effectiveOptions(const Setup& setup) const {
   std::vector<OptionDescription> rows = localizerOptions();
-  const auto& filter = registry_.find(setup.options.filter).options;
+  const auto filter = optionsOf(registries_.filters.find(setup.options.filter), registries_);
   rows.insert(rows.end(), filter.begin(), filter.end());
   for (auto& row : rows) row.value = valueOf(row, setup.parameters);
   return rows;
@@ -110,15 +111,13 @@ std::vector<OptionDescription> SetupReader::allOptions(const Setup& setup) const
   std::vector<OptionDescription> rows = effectiveOptions(setup);
   std::set<std::string> keys;
   for (const auto& row : rows) keys.insert(row.key);
-  for (const auto& name : registry_.names()) {
-    for (const auto& option : registry_.find(name).options) {
-      if (!keys.insert(option.key).second) continue;
-      rows.push_back(option);
-      rows.back().value = valueOf(option, setup.parameters);
-    }
+  for (const auto& option : optionsOfAll(registries_)) {
+    if (!keys.insert(option.key).second) continue;
+    rows.push_back(option);
+    rows.back().value = valueOf(option, setup.parameters);
   }
   for (auto& row : rows) {
-    if (row.key == "filter") row.choices = registry_.names();
+    if (row.key == "filter") row.choices = registries_.filters.names();
   }
   return rows;
 }

@@ -29,7 +29,7 @@ DifferentialDrive::Step DifferentialDrive::split(const Pose2& motion) const {
   }
   step.rot2 = wrapAngle(motion.theta - step.rot1);
 
-  const bool corrected = options_.odom_model_type == "diff-corrected";
+  const bool corrected = rule_ == NoiseRule::kVariances;
   const auto sigma = [&](double variance) { return corrected ? std::sqrt(variance) : variance; };
   const auto square = [](double value) { return value * value; };
   const double trans2 = square(step.trans);

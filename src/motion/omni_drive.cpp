@@ -21,7 +21,7 @@ OmniDrive::Step OmniDrive::split(const Pose2& motion) const {
   const MotionOptions& a = options_;
   const double trans2 = step.trans * step.trans;
   const double rot2 = step.rot * step.rot;
-  if (a.odom_model_type == "omni-corrected") {
+  if (rule_ == NoiseRule::kVariances) {
     step.sigma_trans = std::sqrt(a.odom_alpha3 * trans2 + a.odom_alpha4 * rot2);
     step.sigma_strafe = std::sqrt(a.odom_alpha5 * trans2 + a.odom_alpha4 * rot2);
     step.sigma_rot = std::sqrt(a.odom_alpha1 * rot2 + a.odom_alpha2 * trans2);

@@ -34,10 +34,10 @@ bool isSparse(const Particles& particles) {
 
 }  // namespace
 
-LikelihoodField::LikelihoodField(const ObservationOptions& options,
+LikelihoodField::LikelihoodField(const ObservationOptions& options, Form form,
                                  std::shared_ptr<const DistanceField> field)
-    : options_(options), field_(std::move(field)) {
-  if (options_.do_beamskip && options_.laser_model_type == "likelihood_field_prob") {
+    : options_(options), form_(form), field_(std::move(field)) {
+  if (options_.do_beamskip && form_ == Form::kSum) {
     // a field of its own: the likelihood is flat long before the distance that explains a hit
     nearness_ = std::make_unique<ScoreField>(*field_, 2.0 * options_.beam_skip_distance,
                                              [](double distance) { return -distance; });
@@ -62,7 +62,7 @@ double LikelihoodField::sigmaFor(const Particles& particles) const {
 const ScoreField& LikelihoodField::fieldFor(double max_range, double sigma) const {
   Table& table = tables_[max_range];
   if (!table.field || table.sigma != sigma) {
-    const bool cubed = options_.laser_model_type == "likelihood_field_cubed";
+    const bool cubed = form_ == Form::kCubed;
     table.sigma = sigma;
     table.field.reset();  // two at once would double the memory
     table.field = std::make_unique<ScoreField>(
@@ -95,7 +95,6 @@ Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) co
 
 double LikelihoodField::score(const Observations& observations, const Particles& particles,
                               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
-  const bool prob = options_.laser_model_type == "likelihood_field_prob";
   const bool skip = nearness_ && observations.scan.hits() > 0;
   const Scan scan =
       skip && isCompact(particles) ? skipBeams(observations.scan, particles) : observations.scan;
@@ -104,11 +103,12 @@ double LikelihoodField::score(const Observations& observations, const Particles&
 
   Eigen::ArrayXd sums(particles.size());
   fieldFor(scan.max_range, sigmaFor(particles)).sum(scan.x, scan.y, particles, sums);
-  if (options_.laser_model_type == "likelihood_field_cubed") {
+  if (form_ == Form::kCubed) {
     log_likelihood += sums.log1p();
     return 1.0;
   }
-  const double independent = prob ? hits : std::min<double>(hits, options_.effective_beams);
+  const double independent =
+      form_ == Form::kSum ? hits : std::min<double>(hits, options_.effective_beams);
   log_likelihood += sums * (independent / hits);
   return independent;
 }

@@ -8,6 +8,23 @@ namespace {
 
 constexpr double kCloseEnough = 1.1;  // times the effective particles that are wanted
 
+/// For each of `count` shares of the weights' sum, which must ascend, the particle that holds it.
+template <class Share>
+std::vector<Eigen::Index> indicesAt(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                    const Share& share) {
+  std::vector<Eigen::Index> indices;
+  if (weights.size() == 0 || count <= 0) return indices;
+  indices.reserve(static_cast<std::size_t>(count));
+  double cumulative = weights[0];
+  Eigen::Index i = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double target = share(k);
+    while (target >= cumulative && i + 1 < weights.size()) cumulative += weights[++i];
+    indices.push_back(i);
+  }
+  return indices;
+}
+
 }  // namespace
 
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
@@ -48,19 +65,28 @@ Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::Array
 
 std::vector<Eigen::Index> systematicIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
                                             Rng& rng) {
-  std::vector<Eigen::Index> indices;
-  if (weights.size() == 0 || count <= 0) return indices;
-  indices.reserve(static_cast<std::size_t>(count));
+  if (weights.size() == 0 || count <= 0) return {};
   const double step = 1.0 / static_cast<double>(count);
   const double offset = rng.uniform();
-  double cumulative = weights[0];
-  Eigen::Index i = 0;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double target = (static_cast<double>(k) + offset) * step;
-    while (target >= cumulative && i + 1 < weights.size()) cumulative += weights[++i];
-    indices.push_back(i);
-  }
-  return indices;
+  return indicesAt(weights, count,
+                   [&](Eigen::Index k) { return (static_cast<double>(k) + offset) * step; });
+}
+
+std::vector<Eigen::Index> stratifiedIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                            Rng& rng) {
+  const double step = 1.0 / static_cast<double>(count);
+  return indicesAt(weights, count,
+                   [&](Eigen::Index k) { return (static_cast<double>(k) + rng.uniform()) * step; });
+}
+
+/// The smallest of n uniform numbers above x is 1 - (1 - x) u^(1/n): they come in order.
+std::vector<Eigen::Index> multinomialIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                             Rng& rng) {
+  double rest = 1.0;
+  return indicesAt(weights, count, [&](Eigen::Index k) {
+    rest *= std::pow(rng.uniform(), 1.0 / static_cast<double>(count - k));
+    return 1.0 - rest;
+  });
 }
 
 Particles select(const Particles& particles, const std::vector<Eigen::Index>& indices) {

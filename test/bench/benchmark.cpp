@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "adaptive_localization/core/parallel.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
@@ -26,9 +26,7 @@ const std::shared_ptr<const OccupancyGrid>& building() {
 }
 
 FilterContext contextFor(const std::shared_ptr<const OccupancyGrid>& map) {
-  FilterContext context;
-  context.ground = map;
-  return context;
+  return {builtins(), map};
 }
 
 void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) {
@@ -45,9 +43,8 @@ void scorePlain(benchmark::State& state, int particles, int beams, Spread kind) 
 
 void score(benchmark::State& state, const std::string& name, int particles, int beams,
            Spread kind) {
-  ObservationOptions options;
-  options.laser_model_type = name;
-  const auto model = makeObservationModel(options, building(), contextFor(building()).ground.field);
+  const auto model = builtins().observations.make(name, Parameters{}, building(),
+                                                  contextFor(building()).ground.field);
   const Observations observations = observe(building(), kTruth, beams);
   const Particles cloud = spread(kind, particles, building());
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(particles);
@@ -77,7 +74,7 @@ void update(benchmark::State& state, const std::string& core, int particles, int
   context.parameters.set("max_particles", OptionValue{particles});
   context.parameters.set("swarm_size", OptionValue{particles});
   context.parameters.set("selective_resampling", OptionValue{false});
-  const auto filter = FilterRegistry().find(core).make(context);
+  const auto filter = builtins().filters.make(core, context);
   const Pose2 motion{0.1, 0.0, 0.02};
   const Observations there = observe(building(), kTruth * motion, beams);
   const Observations here = observe(building(), kTruth, beams);
@@ -101,7 +98,7 @@ void distanceField(benchmark::State& state, int side) {
   const HeapMeter heap;  // what a running filter holds for each cell of the map
   const FilterContext context = contextFor(toyBuilding(side));
   const auto model =
-      makeObservationModel(ObservationOptions{}, context.ground.map, context.ground.field);
+      makeObservationModel(builtins().observations, {}, context.ground.map, context.ground.field);
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(1);
   model->score(observe(map, kTruth, 60), Particles(1), log_likelihood);
   state.counters["bytes_per_cell"] =
@@ -142,7 +139,7 @@ void registerOthers() {
   for (const int count : {1000, 10000, 50000, 100000, 1000000}) {
     benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
   }
-  for (const auto& core : FilterRegistry().names()) {
+  for (const auto& core : builtins().filters.names()) {
     for (const auto& [particles, beams] : {std::pair{2000, 60}, {7500, 30}, {10000, 60}}) {
       const std::string name =
           "update/" + core + "/" + std::to_string(particles) + "/" + std::to_string(beams);

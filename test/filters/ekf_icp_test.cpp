@@ -5,8 +5,9 @@
 
 #include <Eigen/Dense>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -14,9 +15,7 @@ namespace adaptive_localization {
 namespace {
 
 std::unique_ptr<Filter> makeEkf() {
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  return FilterRegistry().find("ekf_icp").make(context);
+  return builtins().filters.make("ekf_icp", FilterContext{builtins(), asymmetricWorld()});
 }
 
 Gaussian2 roughly(const Pose2& mean) {
@@ -92,7 +91,7 @@ TEST(EkfIcp, DoesNotBelieveAMatchFarFromWhereOdometrySays) {
 /// A match that is good by chance, of a robot that may be anywhere, is not used: it must say so.
 TEST(EkfIcp, SaysThatItDoesNotKnowFromWhereToMatch) {
   EkfParts parts;
-  parts.motion = makeMotionModel({});
+  parts.motion = std::make_unique<DifferentialDrive>(MotionOptions{});
   parts.match = [](const Pose2& guess, const Scan&, const Eigen::Matrix3d&) {
     Match match;
     match.T_map_base = guess;

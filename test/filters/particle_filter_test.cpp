@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "adaptive_localization/motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 
@@ -81,11 +82,11 @@ class HillModel : public ObservationModel {
 
 ParticleFilter makeFilter(const std::shared_ptr<Recording>& recording, bool selective = false) {
   MotionOptions motion;
-  motion.odom_model_type = "diff-corrected";
   motion.odom_noise_xy = motion.odom_noise_theta = 0.0;
   ParticleFilterParts parts;
-  parts.motion = makeMotionModel(motion);
+  parts.motion = std::make_unique<DifferentialDrive>(motion);
   parts.observation = std::make_unique<HillModel>();
+  parts.resampling = systematicIndices;
   parts.size = std::make_unique<ScriptedSize>(recording);
   parts.exploration = std::make_unique<ScriptedExploration>(recording);
   parts.elsewhere = std::make_unique<ScriptedSampler>(recording);
@@ -233,8 +234,9 @@ TEST(ParticleFilter, StartsAnewWithAsManyParticlesAsTheNewBeliefNeeds) {
   sizes.max_particles = 3000;
   sizes.kld_count = "resampled";
   ParticleFilterParts parts;
-  parts.motion = makeMotionModel(MotionOptions{});
+  parts.motion = std::make_unique<DifferentialDrive>(MotionOptions{});
   parts.observation = std::make_unique<HillModel>();
+  parts.resampling = systematicIndices;
   parts.size = kldSampleSize(sizes);
   parts.exploration = noExploration();
   parts.elsewhere = std::make_unique<FreeSpaceSampler>(asymmetricWorld());

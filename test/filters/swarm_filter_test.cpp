@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -16,11 +16,8 @@ using Values = std::map<std::string, OptionValue>;
 
 std::unique_ptr<Filter> makeSwarm(const std::string& name, const std::string& preset,
                                   const Values& more = {}, std::uint64_t seed = 1) {
-  const FilterRegistry registry;
-  const FilterDescription& description = registry.find(name);
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  context.seed = seed;
+  const FilterDescription& description = builtins().filters.find(name);
+  FilterContext context{builtins(), asymmetricWorld(), {}, seed};
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);
   }

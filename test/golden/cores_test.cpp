@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Names, GoldenCores, testing::ValuesIn(kGolden),
 
 TEST(GoldenCores, AreAllBuiltInOnesWithEachPresetAndStart) {
   std::set<std::string> expected, names;
-  for (const std::string& name : FilterRegistry().names()) {
+  for (const std::string& name : builtins().filters.names()) {
     for (const std::string preset : {"recommended", "seed"}) {
       for (const std::string start : {"told", "anywhere", "kidnapped"}) {
         expected.insert(name + "_" + preset + "_" + start);

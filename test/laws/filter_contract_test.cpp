@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "adaptive_localization/core/parallel.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 using Case = std::tuple<std::string, std::string>;  // filter, preset
 
 std::vector<std::string> allFilters() {
-  return FilterRegistry().names();
+  return builtins().filters.names();
 }
 
 using Values = std::map<std::string, OptionValue>;
@@ -23,11 +23,8 @@ using Values = std::map<std::string, OptionValue>;
 std::unique_ptr<Filter> makeFilter(const Case& which, int max_particles, std::uint64_t seed = 1,
                                    const Values& more = {}) {
   const auto& [name, preset] = which;
-  const FilterRegistry registry;
-  const FilterDescription& description = registry.find(name);
-  FilterContext context;
-  context.ground = asymmetricWorld();
-  context.seed = seed;
+  const FilterDescription& description = builtins().filters.find(name);
+  FilterContext context{builtins(), asymmetricWorld(), {}, seed};
   for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
     context.parameters.set(key, value);
   }

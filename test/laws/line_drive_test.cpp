@@ -9,7 +9,7 @@
 
 #include "../../src/match/pose_kalman.hpp"
 #include "adaptive_localization/match/line_matcher.hpp"
-#include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/motion/differential_drive.hpp"
 #include "adaptive_localization/sim/simulation.hpp"
 
 namespace adaptive_localization {
@@ -53,7 +53,7 @@ class LineDriver {
       : outliers_(outliers),
         simulation_(Simulation::load(options)),
         matcher_(exactly(), surfacesOf(loadFloorPlan(options.world))),
-        motion_(makeMotionModel({})) {
+        motion_(std::make_unique<DifferentialDrive>(MotionOptions{})) {
     const Eigen::Vector3d deviation(0.05, 0.05, 0.02);
     kalman_.reset({simulation_.truth(), deviation.cwiseAbs2().asDiagonal()});
     T_odom_base_ = simulation_.odometry().T_odom_base;

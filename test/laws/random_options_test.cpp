@@ -206,7 +206,7 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
   return std::get<0>(info.param) + "_" + std::get<1>(info.param);
 }
 INSTANTIATE_TEST_SUITE_P(Cores, EveryCore,
-                         testing::Combine(testing::ValuesIn(FilterRegistry().names()),
+                         testing::Combine(testing::ValuesIn(builtins().filters.names()),
                                           testing::Values("recommended", "seed")),
                          nameOf);
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../ser/ser_toys.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -83,9 +83,8 @@ struct Preset {
 
 std::vector<Preset> presets() {
   std::vector<Preset> all;
-  const FilterRegistry registry;
   for (const char* name : {"samcl", "sa_kld"}) {
-    const FilterDescription& core = registry.find(name);
+    const FilterDescription& core = builtins().filters.find(name);
     for (const auto& preset : {core.recommended, core.seed}) {
       Parameters parameters;
       for (const auto& [key, value] : preset) parameters.set(key, value);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "adaptive_localization/motion/differential_drive.hpp"
 #include "support/toy_drive.hpp"
 
 namespace adaptive_localization {
@@ -26,7 +27,8 @@ class Refining : public testing::Test {
  protected:
   std::shared_ptr<const OccupancyGrid> map_ = asymmetricWorld();
   std::vector<ToyStep> drive_ = toyDrive(map_, 5, 91);
-  EstimateRefiner refiner_{matchBy(makeScanMatcher(MatchOptions{}, *map_)), makeMotionModel({})};
+  EstimateRefiner refiner_{matchBy(makeScanMatcher(MatchOptions{}, *map_)),
+                           std::make_unique<DifferentialDrive>(MotionOptions{})};
   Rng rng_{8};
 };
 

@@ -202,7 +202,7 @@ TEST(LocalizerConfigure, ListsTheNamesOfFiltersAsChoices) {
   const Localizer localizer(parametersWith(), asymmetricWorld());
   for (const auto& row : localizer.allOptions()) {
     const bool is_filter = row.key == "filter";
-    EXPECT_EQ(row.choices == FilterRegistry().names(), is_filter) << row.key;
+    EXPECT_EQ(row.choices == builtins().filters.names(), is_filter) << row.key;
   }
   EXPECT_GE(localizer.allOptions().size(), localizer.effectiveOptions().size());
 }

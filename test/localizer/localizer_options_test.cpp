@@ -56,7 +56,7 @@ TEST(LocalizerOptions, ComeFromThePresetUnlessGiven) {
   parameters.set("preset", OptionValue{std::string("seed")});
   parameters.set("odom_noise_theta", OptionValue{0.5});
   const Localizer localizer(parameters, asymmetricWorld());
-  const auto seed = FilterRegistry().find("mcl").seed;
+  const auto seed = builtins().filters.find("mcl").seed;
   for (const auto& [key, value] : seed) {
     if (key == "odom_noise_theta") continue;
     EXPECT_EQ(effective(localizer, key), value) << key;

@@ -8,13 +8,23 @@
 #include <limits>
 
 #include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/toy_parameters.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-MotionOptions modelOptions(const std::string& type, double alpha) {
-  MotionOptions options;
+struct ModelOptions : MotionOptions {
+  std::string odom_model_type;
+};
+
+std::unique_ptr<MotionModel> makeModel(const ModelOptions& options) {
+  return builtins().motions.make(options.odom_model_type, parametersOf<MotionOptions>(options));
+}
+
+ModelOptions modelOptions(const std::string& type, double alpha) {
+  ModelOptions options;
   options.odom_model_type = type;
   options.odom_alpha1 = options.odom_alpha2 = options.odom_alpha3 = alpha;
   options.odom_alpha4 = options.odom_alpha5 = alpha;
@@ -22,14 +32,14 @@ MotionOptions modelOptions(const std::string& type, double alpha) {
   return options;
 }
 
-Particles moved(const MotionOptions& options, const Pose2& motion, Eigen::Index count,
+Particles moved(const ModelOptions& options, const Pose2& motion, Eigen::Index count,
                 const Pose2& from = {}, std::uint64_t seed = 1) {
   Particles particles(count);
   particles.x.setConstant(from.x);
   particles.y.setConstant(from.y);
   particles.theta.setConstant(from.theta);
   Rng rng(seed);
-  makeMotionModel(options)->propagate(motion, particles, rng);
+  makeModel(options)->propagate(motion, particles, rng);
   return particles;
 }
 
@@ -67,13 +77,13 @@ TEST_P(EveryModel, StaysWhereItIsWithoutMotion) {
   for (Eigen::Index i = 0; i < particles.size(); ++i) {
     ASSERT_THAT(particles.pose(i), PoseNear(from, 1e-12, 1e-12));
   }
-  EXPECT_EQ(makeMotionModel(modelOptions(GetParam(), 0.5))->covariance({}).norm(), 0.0);
+  EXPECT_EQ(makeModel(modelOptions(GetParam(), 0.5))->covariance({}).norm(), 0.0);
 }
 
 TEST_P(EveryModel, SamplesTheNoiseThatItsCovarianceTells) {
   for (const Pose2& motion : kMotions) {
-    const MotionOptions options = modelOptions(GetParam(), 0.002);
-    const Eigen::Matrix3d told = makeMotionModel(options)->covariance(motion);
+    const ModelOptions options = modelOptions(GetParam(), 0.002);
+    const Eigen::Matrix3d told = makeModel(options)->covariance(motion);
     const Eigen::Matrix3d sampled = sampleCovariance(moved(options, motion, 100000), motion);
     const double tolerance = 0.03 * told.diagonal().maxCoeff() + 1e-12;
     EXPECT_LT((sampled - told).cwiseAbs().maxCoeff(), tolerance)
@@ -86,7 +96,7 @@ TEST_P(EveryModel, SamplesTheNoiseThatItsCovarianceTells) {
 TEST_P(EveryModel, TellsASymmetricPositiveCovariance) {
   Rng rng(2);
   for (int i = 0; i < 500; ++i) {
-    const auto model = makeMotionModel(modelOptions(GetParam(), 0.2));
+    const auto model = makeModel(modelOptions(GetParam(), 0.2));
     const Eigen::Matrix3d covariance = model->covariance(randomPose(rng, 1.0));
     ASSERT_TRUE(covariance.isApprox(covariance.transpose()));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
@@ -126,24 +136,24 @@ TEST_P(EveryModel, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST_P(EveryModel, AddsTheConstantNoiseWhateverTheMotion) {
-  MotionOptions options = modelOptions(GetParam(), 0.0);
+  ModelOptions options = modelOptions(GetParam(), 0.0);
   options.odom_noise_xy = 0.02;
   options.odom_noise_theta = 0.03;
   const Eigen::Matrix3d sampled = sampleCovariance(moved(options, {}, 100000), {});
   EXPECT_NEAR(std::sqrt(sampled(0, 0)), 0.02, 3e-4);
   EXPECT_NEAR(std::sqrt(sampled(1, 1)), 0.02, 3e-4);
   EXPECT_NEAR(std::sqrt(sampled(2, 2)), 0.03, 5e-4);
-  EXPECT_TRUE(makeMotionModel(options)->covariance({}).isApprox(
+  EXPECT_TRUE(makeModel(options)->covariance({}).isApprox(
       Eigen::Vector3d(4e-4, 4e-4, 9e-4).asDiagonal().toDenseMatrix()));
 }
 
 /// Standard deviations along and across a straight course and in heading, of a motion ahead.
-Eigen::Vector3d deviations(const MotionOptions& options, const Pose2& motion) {
-  return makeMotionModel(options)->covariance(motion).diagonal().cwiseSqrt();
+Eigen::Vector3d deviations(const ModelOptions& options, const Pose2& motion) {
+  return makeModel(options)->covariance(motion).diagonal().cwiseSqrt();
 }
 
-MotionOptions distinctAlphas(const std::string& type) {
-  MotionOptions options = modelOptions(type, 0.0);
+ModelOptions distinctAlphas(const std::string& type) {
+  ModelOptions options = modelOptions(type, 0.0);
   options.odom_alpha1 = 0.11;
   options.odom_alpha2 = 0.22;
   options.odom_alpha3 = 0.33;
@@ -186,7 +196,7 @@ TEST(OmniDrive, HasAmclsFormulas) {
 }
 
 TEST(DifferentialDrive, IsAsNoisyBackwardsAsForwards) {
-  const MotionOptions options = distinctAlphas("diff-corrected");
+  const ModelOptions options = distinctAlphas("diff-corrected");
   for (const double metres : {0.003, 0.3}) {
     EXPECT_TRUE(deviations(options, {metres, 0.0, 0.1})
                     .isApprox(deviations(options, {-metres, 0.0, 0.1}), 1e-9));

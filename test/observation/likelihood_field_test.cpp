@@ -49,7 +49,7 @@ TEST(LikelihoodField, HasAmclsCubedForm) {
 }
 
 TEST(LikelihoodField, IsFiniteWithoutRandomReadings) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.laser_z_rand = 0.0;
   const double score = scoreAt(options, wall(), hitBeforeWall(50), kInLane);
   EXPECT_TRUE(std::isfinite(score));
@@ -57,7 +57,7 @@ TEST(LikelihoodField, IsFiniteWithoutRandomReadings) {
 }
 
 TEST(LikelihoodField, IsBlunterWhereParticlesAreSparse) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.laser_sigma_sparse = 0.3;
   const auto likelihoodOf = [&](double distance, double sigma) {
     return std::log(0.9 * std::exp(-0.5 * distance * distance / (sigma * sigma)) + 0.01);
@@ -77,7 +77,7 @@ TEST(LikelihoodField, IsBlunterWhereParticlesAreSparse) {
 }
 
 /// Skipping of the beams that few particles explain: ten hits on the wall, `odd` ones `cells` away.
-double skippingScore(ObservationOptions options, int odd, int cells) {
+double skippingScore(ToyModelOptions options, int odd, int cells) {
   options.do_beamskip = true;
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < 10; ++i) {
@@ -87,7 +87,7 @@ double skippingScore(ObservationOptions options, int odd, int cells) {
 }
 
 TEST(BeamSkipping, LeavesOutBeamsThatNobodyExplains) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.beam_skip_distance = 0.5;
   options.beam_skip_error_threshold = 0.6;
   const double hit = std::log(fieldLikelihood(0.0)), miss = std::log(fieldLikelihood(1.0));
@@ -98,7 +98,7 @@ TEST(BeamSkipping, LeavesOutBeamsThatNobodyExplains) {
 }
 
 TEST(BeamSkipping, GoesByTheDistanceHoweverNarrowTheLikelihood) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.laser_sigma_hit = 0.03;
   options.beam_skip_distance = 0.5;
   options.beam_skip_error_threshold = 1.0;
@@ -108,7 +108,7 @@ TEST(BeamSkipping, GoesByTheDistanceHoweverNarrowTheLikelihood) {
 }
 
 TEST(BeamSkipping, CountsTheShareOfParticles) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.do_beamskip = true;
   options.beam_skip_distance = 0.1;
   options.beam_skip_threshold = 0.3;
@@ -126,7 +126,7 @@ TEST(BeamSkipping, CountsTheShareOfParticles) {
 }
 
 TEST(BeamSkipping, IsOffWhileTheCloudIsSpread) {
-  ObservationOptions options = modelOptions("likelihood_field_prob");
+  ToyModelOptions options = modelOptions("likelihood_field_prob");
   options.do_beamskip = true;
   Particles particles(2);
   particles.setPose(0, {0.1, 0.025, 0.0});

@@ -60,7 +60,7 @@ TEST_P(EveryModel, IsHighestWhereTheRobotIsAndWithoutBias) {
   const Map map = symmetricWorld();
   FreePoses poses(map, 1);
   Rng rng(2);
-  const ObservationOptions options = modelOptions(GetParam());
+  const ToyModelOptions options = modelOptions(GetParam());
   const auto model = makeModel(options, map);
   constexpr int kSide = 13;       // a lattice of 13 x 13 poses 1 cm apart
   constexpr double kStep = 0.01;  // m
@@ -139,7 +139,7 @@ TEST_P(EveryModel, DoesNotCareHowTheMapsOriginIsTurned) {
     there.setPose(i, origin * here.pose(i));
   }
   const Observations seen = ToyLaser{}.observe(straight, {1.2, 1.3, 0.4});
-  const ObservationOptions options = modelOptions(GetParam());
+  const ToyModelOptions options = modelOptions(GetParam());
   const Eigen::ArrayXd a = scoresOf(options, straight, seen, here).log_likelihood;
   const Eigen::ArrayXd b = scoresOf(options, turned, seen, there).log_likelihood;
   // hits on a border between cells may be rounded differently
@@ -154,7 +154,7 @@ TEST_P(EveryModel, GivesTheSameBitsForAnyNumberOfThreads) {
   Rng rng(4);
   Particles particles(3000);
   for (Eigen::Index i = 0; i < particles.size(); ++i) particles.setPose(i, randomPose(rng, 8.0));
-  const ObservationOptions options = modelOptions(GetParam());
+  const ToyModelOptions options = modelOptions(GetParam());
   const Eigen::ArrayXd one = scoresOf(options, map, seen, particles).log_likelihood;
   setThreads(3);
   const Eigen::ArrayXd three = scoresOf(options, map, seen, particles).log_likelihood;

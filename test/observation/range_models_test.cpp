@@ -11,7 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 TEST(BeamModel, IsTheFourPartMixture) {
-  ObservationOptions options = modelOptions("beam");
+  ToyModelOptions options = modelOptions("beam");
   options.laser_z_short = 0.05;
   options.laser_lambda_short = 0.2;
   options.laser_z_max = 0.07;
@@ -33,7 +33,7 @@ TEST(BeamModel, IsTheFourPartMixture) {
 }
 
 TEST(BeamModel, LooksFromWhereTheSensorIs) {
-  const ObservationOptions options = modelOptions("beam");
+  const ToyModelOptions options = modelOptions("beam");
   Observations seen = hitsAt({{2.025, 0.0}}, 10.0);
   seen.scan.position = {0.5, 0.0};
   seen.scan.range[0] = 1.526F;  // not short of the wall

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "adaptive_localization/filters/builtins.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -73,27 +75,57 @@ TEST(SystematicIndices, DrawEachParticleFloorOrCeilOfItsShare) {
   }
 }
 
-TEST(SystematicIndices, AreUnbiased) {
+TEST(StratifiedIndices, DrawEachParticleWithinOneOfItsShare) {
+  Rng rng(4);
+  for (int trial = 0; trial < 500; ++trial) {
+    const Eigen::ArrayXd weights = randomWeights(rng, 30);
+    const auto count = static_cast<Eigen::Index>(1 + rng.below(200));
+    const Eigen::ArrayXd drawn = countsOf(stratifiedIndices(weights, count, rng), 30);
+    const Eigen::ArrayXd share = weights * static_cast<double>(count);
+    ASSERT_LT((drawn - share).abs().maxCoeff(), 2.0);
+  }
+}
+
+TEST(MultinomialIndices, VaryAsIndependentDrawsDo) {
+  Rng rng(5);
+  constexpr int kRounds = 20000;
+  constexpr double kCount = 40.0;
+  const Eigen::ArrayXd weights = column({0.1, 0.6, 0.3});
+  Eigen::ArrayXd variance = Eigen::ArrayXd::Zero(3);
+  for (int i = 0; i < kRounds; ++i) {
+    const auto drawn = countsOf(multinomialIndices(weights, 40, rng), 3);
+    variance += (drawn - kCount * weights).square() / kRounds;
+  }
+  const Eigen::ArrayXd expected = kCount * weights * (1.0 - weights);
+  EXPECT_LT((variance / expected - 1.0).abs().maxCoeff(), 0.05);
+}
+
+class EveryScheme : public testing::TestWithParam<std::string> {
+ protected:
+  const Resampling draw_ = builtins().resamplings.make(GetParam(), Parameters{});
+};
+INSTANTIATE_TEST_SUITE_P(Resampling, EveryScheme,
+                         testing::ValuesIn(builtins().resamplings.names()));
+
+TEST_P(EveryScheme, IsUnbiased) {
   Rng rng(2);
   const Eigen::ArrayXd weights = randomWeights(rng, 20);
   constexpr int kRounds = 20000;
   constexpr Eigen::Index kCount = 33;
   Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(20);
-  for (int i = 0; i < kRounds; ++i) {
-    mean += countsOf(systematicIndices(weights, kCount, rng), 20) / kRounds;
-  }
-  // counts are Bernoulli around the share: their deviation is at most a half
-  const double four_deviations = 4.0 * 0.5 / std::sqrt(kRounds);
-  EXPECT_LT((mean - weights * kCount).abs().maxCoeff(), four_deviations);
+  for (int i = 0; i < kRounds; ++i) mean += countsOf(draw_(weights, kCount, rng), 20) / kRounds;
+  // of independent draws, which vary most: the variance of a count is at most its share
+  const Eigen::ArrayXd four_deviations = 4.0 * (weights * kCount / kRounds).sqrt();
+  EXPECT_TRUE(((mean - weights * kCount).abs() <= four_deviations).all());
 }
 
-TEST(SystematicIndices, TakeEdgeCases) {
+TEST_P(EveryScheme, TakesEdgeCases) {
   Rng rng(3);
-  EXPECT_TRUE(systematicIndices(column({}), 5, rng).empty());
-  EXPECT_TRUE(systematicIndices(column({1.0}), 0, rng).empty());
-  EXPECT_THAT(systematicIndices(column({1.0}), 3, rng), testing::ElementsAre(0, 0, 0));
-  EXPECT_THAT(systematicIndices(column({0.0, 1.0, 0.0}), 2, rng), testing::ElementsAre(1, 1));
-  for (const Eigen::Index i : systematicIndices(column({kNan, kNan}), 100, rng)) {
+  EXPECT_TRUE(draw_(column({}), 5, rng).empty());
+  EXPECT_TRUE(draw_(column({1.0}), 0, rng).empty());
+  EXPECT_THAT(draw_(column({1.0}), 3, rng), testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(draw_(column({0.0, 1.0, 0.0}), 2, rng), testing::ElementsAre(1, 1));
+  for (const Eigen::Index i : draw_(column({kNan, kNan}), 100, rng)) {
     ASSERT_TRUE(i == 0 || i == 1);
   }
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Libraries that are no good as plug-ins, one for each value of BROKEN.
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/registries.hpp"
 
 #if BROKEN == 1  // the entry point is a variable
 extern "C" {
-int adaptive_localization_register_filters_v1 = 1;
+int adaptive_localization_register_v2 = 1;
 }
-#elif BROKEN == 2  // it throws what is no std::exception
-extern "C" void adaptive_localization_register_filters_v1(
-    adaptive_localization::FilterRegistry& registry);
-void adaptive_localization_register_filters_v1(adaptive_localization::FilterRegistry&) {
+#elif BROKEN == 2  // it throws what is no std::exception, when it has added something
+extern "C" void adaptive_localization_register_v2(adaptive_localization::Registries& registries);
+void adaptive_localization_register_v2(adaptive_localization::Registries& registries) {
+  registries.filters.add({"half",
+                          "",
+                          [](const adaptive_localization::FilterContext&) { return nullptr; },
+                          {},
+                          {},
+                          {}});
   throw 42;
 }
 #elif BROKEN == 3  // its filter's estimate is not a number
@@ -36,9 +41,9 @@ class Nowhere : public Filter {
 
 }  // namespace
 
-extern "C" void adaptive_localization_register_filters_v1(FilterRegistry& registry);
-void adaptive_localization_register_filters_v1(FilterRegistry& registry) {
-  registry.add(
+extern "C" void adaptive_localization_register_v2(Registries& registries);
+void adaptive_localization_register_v2(Registries& registries) {
+  registries.filters.add(
       {"nowhere",
        "Lost.",
        [](const FilterContext&) -> std::unique_ptr<Filter> { return std::make_unique<Nowhere>(); },
@@ -46,4 +51,7 @@ void adaptive_localization_register_filters_v1(FilterRegistry& registry) {
        {},
        {}});
 }
+#elif BROKEN == 4  // it is of an older version
+extern "C" void adaptive_localization_register_filters_v1(void*);
+void adaptive_localization_register_filters_v1(void*) {}
 #endif

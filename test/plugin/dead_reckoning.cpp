@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A filter core that lives in a library of its own: it believes its odometry and nothing else.
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/registries.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 
@@ -54,13 +54,13 @@ class DeadReckoning : public Filter {
 
 }  // namespace
 
-extern "C" void adaptive_localization_register_filters_v1(FilterRegistry& registry) {
-  registry.add({"dead_reckoning",
-                "Odometry alone.",
-                [](const FilterContext& context) -> std::unique_ptr<Filter> {
-                  return std::make_unique<DeadReckoning>(context);
-                },
-                describe(DeadReckoningOptions{}),
-                {},
-                {{"dead_reckoning_scale", 2.0}}});
+extern "C" void adaptive_localization_register_v2(Registries& registries) {
+  registries.filters.add({"dead_reckoning",
+                          "Odometry alone.",
+                          [](const FilterContext& context) -> std::unique_ptr<Filter> {
+                            return std::make_unique<DeadReckoning>(context);
+                          },
+                          describe(DeadReckoningOptions{}),
+                          {},
+                          {{"dead_reckoning_scale", 2.0}}});
 }

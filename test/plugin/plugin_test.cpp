@@ -11,37 +11,51 @@
 namespace adaptive_localization {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 Parameters withPlugin() {
   Parameters parameters;
-  parameters.set("plugins", OptionValue{std::string(PLUGIN)});
+  parameters.set("plugins", OptionValue{std::string(DEAD_RECKONING_PLUGIN)});
   parameters.set("filter", OptionValue{std::string("dead_reckoning")});
   return parameters;
 }
 
 TEST(Plugin, AddsItsFilterToTheRegistry) {
-  FilterRegistry registry;
-  registry.loadLibrary(PLUGIN);
-  EXPECT_THAT(registry.names(), Contains("dead_reckoning"));
-  EXPECT_THAT(registry.names(), Contains("mcl"));
-  EXPECT_EQ(registry.find("dead_reckoning").options.at(0).key, "dead_reckoning_scale");
-  EXPECT_THROW(registry.loadLibrary(PLUGIN), std::invalid_argument);  // the name is taken
+  Registries registries = builtins();
+  registries.loadLibrary(DEAD_RECKONING_PLUGIN);
+  EXPECT_THAT(registries.filters.names(), Contains("dead_reckoning"));
+  EXPECT_THAT(registries.filters.names(), Contains("mcl"));
+  EXPECT_EQ(registries.filters.find("dead_reckoning").options.at(0).key, "dead_reckoning_scale");
+  EXPECT_THROW(registries.loadLibrary(DEAD_RECKONING_PLUGIN),
+               std::invalid_argument);  // the name is taken
+}
+
+std::string complaintAbout(const std::string& library) {
+  Registries registries;
+  try {
+    registries.loadLibrary(library);
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(registries.filters.names(), IsEmpty()) << "half a library was added";
+    return error.what();
+  }
+  return "no complaint";
 }
 
 /// They used to end the process.
 TEST(Plugin, IsRefusedByNameIfItsEntryPointIsNoFunctionOrThrowsAnything) {
   for (const char* library : {BROKEN_PLUGIN_1, BROKEN_PLUGIN_2}) {
-    FilterRegistry registry;
-    try {
-      registry.loadLibrary(library);
-      FAIL() << library << " was loaded";
-    } catch (const std::invalid_argument& error) {
-      EXPECT_THAT(error.what(), HasSubstr(library));
-    }
+    EXPECT_THAT(complaintAbout(library), HasSubstr(library));
   }
+}
+
+TEST(Plugin, IsRefusedIfItIsOfAnOlderVersion) {
+  EXPECT_THAT(complaintAbout(BROKEN_PLUGIN_4),
+              AllOf(HasSubstr(BROKEN_PLUGIN_4), HasSubstr("adaptive_localization_register_v2"),
+                    HasSubstr("adaptive_localization_register_filters_v1: it was written for an "
+                              "older version")));
 }
 
 TEST(Plugin, IsNotBelievedThatTheRobotIsAtNoPlace) {
@@ -118,7 +132,7 @@ TEST(Plugin, HasOptionsAndPresets) {
 
 TEST(Plugin, IsNamedWhenItIsMissing) {
   Parameters parameters = withPlugin();
-  parameters.set("plugins", OptionValue{std::string(PLUGIN) + ":/nowhere/lib.so"});
+  parameters.set("plugins", OptionValue{std::string(DEAD_RECKONING_PLUGIN) + ":/nowhere/lib.so"});
   try {
     Localizer(parameters, asymmetricWorld());
     FAIL() << "loaded a library that does not exist";

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 
 namespace adaptive_localization {
@@ -40,7 +40,7 @@ std::string fileOf(const std::string& core, const std::string& preset) {
 /// Calls check(core, preset) for all there are.
 template <class Check>
 void forEachPreset(const Check& check) {
-  for (const auto& core : FilterRegistry().names()) {
+  for (const auto& core : builtins().filters.names()) {
     for (const std::string preset : {"recommended", "seed"}) check(core, preset);
   }
 }

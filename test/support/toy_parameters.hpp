@@ -21,4 +21,12 @@ inline Parameters parametersWith(const Values& more = {}) {
   return parameters;
 }
 
+/// An options struct's values.
+template <class Options>
+Parameters parametersOf(const Options& options) {
+  Parameters parameters;
+  for (const auto& row : describe(options)) parameters.set(row.key, row.value);
+  return parameters;
+}
+
 }  // namespace adaptive_localization

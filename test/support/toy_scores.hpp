@@ -5,15 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/observation/observation_model.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
+#include "support/toy_parameters.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
 
 using Map = std::shared_ptr<const OccupancyGrid>;
 
-inline ObservationOptions modelOptions(const std::string& type) {
-  ObservationOptions options;
+struct ToyModelOptions : ObservationOptions {
+  std::string laser_model_type;
+};
+
+inline ToyModelOptions modelOptions(const std::string& type) {
+  ToyModelOptions options;
   options.laser_model_type = type;
   options.laser_z_hit = 0.9;
   options.laser_z_rand = 0.1;
@@ -24,9 +29,10 @@ inline ObservationOptions modelOptions(const std::string& type) {
   return options;
 }
 
-inline std::unique_ptr<ObservationModel> makeModel(const ObservationOptions& options,
-                                                   const Map& map) {
-  return makeObservationModel(options, map, std::make_shared<const DistanceField>(*map));
+inline std::unique_ptr<ObservationModel> makeModel(const ToyModelOptions& options, const Map& map) {
+  return builtins().observations.make(options.laser_model_type,
+                                      parametersOf<ObservationOptions>(options), map,
+                                      std::make_shared<const DistanceField>(*map));
 }
 
 struct Scores {
@@ -34,14 +40,14 @@ struct Scores {
   double beams;
 };
 
-inline Scores scoresOf(const ObservationOptions& options, const Map& map, const Observations& seen,
+inline Scores scoresOf(const ToyModelOptions& options, const Map& map, const Observations& seen,
                        const Particles& particles) {
   Scores scores{Eigen::ArrayXd::Zero(particles.size()), 0.0};
   scores.beams = makeModel(options, map)->score(seen, particles, scores.log_likelihood);
   return scores;
 }
 
-inline double scoreAt(const ObservationOptions& options, const Map& map, const Observations& seen,
+inline double scoreAt(const ToyModelOptions& options, const Map& map, const Observations& seen,
                       const Pose2& pose) {
   Particles particles(1);
   particles.setPose(0, pose);

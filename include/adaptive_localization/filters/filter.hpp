@@ -6,6 +6,7 @@
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/filters/models.hpp"
 #include "adaptive_localization/ser/ground.hpp"
 
 namespace adaptive_localization {
@@ -14,12 +15,13 @@ struct Match;
 
 /// What a filter is made from.
 struct FilterContext {
-  Ground ground;
-  Parameters parameters;
+  const Models& models;
+  Ground ground{};
+  Parameters parameters{};
   std::uint64_t seed{1};
 };
 
-/// A localization filter, chosen by name through the FilterRegistry.
+/// A localization filter, chosen by name (Registries).
 ///
 /// Given the same context and calls, it gives the same bits, for any number of threads.
 /// update never throws and never returns a number that is not finite, whatever it is given.

@@ -7,7 +7,7 @@
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
-#include "adaptive_localization/filters/filter_registry.hpp"
+#include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 
 namespace adaptive_localization {
@@ -29,7 +29,7 @@ struct LocalizerOptions {
     option("preset", preset, Choices{"recommended", "seed"},
            "Values of options that are not given: what we recommend, or the literature's.");
     option("plugins", plugins, Choices{},
-           "Shared libraries with filter cores of your own, separated by colons.");
+           "Shared libraries with filter cores and models of your own, separated by colons.");
     option("seed", seed, kWhole, "", "Seed of all randomness.");
     option("threads", threads, Range{1, 256}, "", "Threads used by one update.");
     option("update_min_d", update_min_d, kNotNegative, "m",
@@ -59,7 +59,7 @@ class SetupReader {
   /// Loads the plug-ins that are named. Throws std::invalid_argument naming key, value and range.
   Setup read(Parameters parameters);
 
-  const FilterRegistry& registry() const { return registry_; }
+  const Registries& registries() const { return registries_; }
 
   bool haveSameFilter(const Setup& a, const Setup& b) const;
   bool haveSamePlaces(const Setup& a, const Setup& b) const;
@@ -74,7 +74,7 @@ class SetupReader {
  private:
   void loadPlugins(const std::string& paths);
 
-  FilterRegistry registry_;
+  Registries registries_ = builtins();
   std::set<std::string> loaded_plugins_;
 };
 

@@ -17,7 +17,8 @@ namespace adaptive_localization {
 /// Prefer the omni model for robots that can move sideways.
 class DifferentialDrive : public MotionModel {
  public:
-  explicit DifferentialDrive(const MotionOptions& options) : options_(options) {}
+  explicit DifferentialDrive(const MotionOptions& options, NoiseRule rule = NoiseRule::kVariances)
+      : options_(options), rule_(rule) {}
 
   void propagate(const Pose2& motion, Particles& particles, Rng& rng) const override;
   Eigen::Matrix3d covariance(const Pose2& motion) const override;
@@ -27,6 +28,7 @@ class DifferentialDrive : public MotionModel {
   Step split(const Pose2& motion) const;
 
   MotionOptions options_;
+  NoiseRule rule_;
 };
 
 }  // namespace adaptive_localization

@@ -3,19 +3,21 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/registry.hpp"
 #include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
 
-/// Names and meanings are amcl's; odom_noise_* are ours.
+/// What the built-in models read. Names and meanings are amcl's; odom_noise_* are ours.
 struct MotionOptions {
-  std::string odom_model_type{"diff-corrected"};
   double odom_alpha1{0.1};
   double odom_alpha2{0.1};
   double odom_alpha3{0.02};
@@ -26,10 +28,6 @@ struct MotionOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("odom_model_type", odom_model_type,
-           Choices{"diff", "omni", "diff-corrected", "omni-corrected"},
-           "Motion model; the ones without '-corrected' take variances for standard deviations, as "
-           "amcl's do.");
     option("odom_alpha1", odom_alpha1, Range{0, 100}, "", "Rotation noise from rotation.");
     option("odom_alpha2", odom_alpha2, Range{0, 100}, "rad^2/m^2",
            "Rotation noise from translation.");
@@ -65,7 +63,33 @@ class MotionModel {
   virtual Eigen::Matrix3d covariance(const Pose2& motion) const = 0;
 };
 
-/// The model that the options name.
-std::unique_ptr<MotionModel> makeMotionModel(const MotionOptions& options);
+/// What the alphas give: variances, or what amcl's older models take them for, the standard
+/// deviations themselves.
+enum class NoiseRule { kVariances, kDeviations };
+
+/// A motion model as it is registered.
+struct MotionDescription {
+  std::string name;
+  std::string sentence;
+  std::function<std::unique_ptr<MotionModel>(const Parameters& given)> make;
+  std::vector<OptionDescription> options;  // all that make() reads
+};
+
+struct MotionChoice {
+  std::string odom_model_type{"diff-corrected"};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("odom_model_type", odom_model_type, Choices{},
+           "Motion model; the ones without '-corrected' take variances for standard deviations, as "
+           "amcl's do.");
+  }
+};
+
+/// The model that the parameters name. Throws std::invalid_argument naming key and value.
+inline std::unique_ptr<MotionModel> makeMotionModel(const Registry<MotionDescription>& known,
+                                                    const Parameters& given) {
+  return known.make(given.read<MotionChoice>().odom_model_type, given);
+}
 
 }  // namespace adaptive_localization

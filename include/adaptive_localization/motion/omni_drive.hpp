@@ -15,7 +15,8 @@ namespace adaptive_localization {
 /// with `omni`, amcl's older model, the roots are missing and alpha1 and alpha4 change places.
 class OmniDrive : public MotionModel {
  public:
-  explicit OmniDrive(const MotionOptions& options) : options_(options) {}
+  explicit OmniDrive(const MotionOptions& options, NoiseRule rule = NoiseRule::kVariances)
+      : options_(options), rule_(rule) {}
 
   void propagate(const Pose2& motion, Particles& particles, Rng& rng) const override;
   Eigen::Matrix3d covariance(const Pose2& motion) const override;
@@ -25,6 +26,7 @@ class OmniDrive : public MotionModel {
   Step split(const Pose2& motion) const;
 
   MotionOptions options_;
+  NoiseRule rule_;
 };
 
 }  // namespace adaptive_localization

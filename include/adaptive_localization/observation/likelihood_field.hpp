@@ -19,8 +19,7 @@ class ScoreField;
 ///
 ///     likelihood_field         sum_i log p_i * min(1, effective_beams / B)      (our default)
 ///     likelihood_field_prob    sum_i log p_i over the beams not skipped         (amcl)
-///     likelihood_field_cubed   log(1 + sum_i p_i^3)                             (amcl's ad hoc
-///     form)
+///     likelihood_field_cubed   log(1 + sum_i p_i^3)                  (amcl's ad hoc form)
 ///
 /// Where the particles are fewer than 30 per bin of half a metre and 10 degrees, none may be within
 /// sigma_hit of the truth; sigma_hit is then at least laser_sigma_sparse.
@@ -29,7 +28,10 @@ class ScoreField;
 /// is behind it, at a hundred times the price.
 class LikelihoodField : public ObservationModel {
  public:
-  LikelihoodField(const ObservationOptions& options, std::shared_ptr<const DistanceField> field);
+  enum class Form { kTempered, kSum, kCubed };  // in the order above
+
+  LikelihoodField(const ObservationOptions& options, Form form,
+                  std::shared_ptr<const DistanceField> field);
   ~LikelihoodField() override;
 
   double score(const Observations& observations, const Particles& particles,
@@ -50,6 +52,7 @@ class LikelihoodField : public ObservationModel {
   Scan skipBeams(const Scan& scan, const Particles& particles) const;
 
   ObservationOptions options_;
+  Form form_;
   std::shared_ptr<const DistanceField> field_;
   std::unique_ptr<ScoreField> nearness_;    // minus the distance; where beams may be skipped
   mutable std::map<double, Table> tables_;  // by the laser's max_range

@@ -2,20 +2,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/registry.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 
-/// Names and meanings are amcl's; effective_beams is ours.
+/// What the built-in models read. Names and meanings are amcl's; effective_beams is ours.
 struct ObservationOptions {
-  std::string laser_model_type{"likelihood_field"};
   double laser_z_hit{0.95};
   double laser_z_short{0.1};
   double laser_z_max{0.05};
@@ -32,10 +34,6 @@ struct ObservationOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("laser_model_type", laser_model_type,
-           Choices{"likelihood_field", "likelihood_field_prob", "likelihood_field_cubed", "beam",
-                   "inverse_l1"},
-           "Observation model.");
     option("laser_z_hit", laser_z_hit, kProbability, "",
            "Weight of a hit near the expected place.");
     option("laser_z_short", laser_z_short, kProbability, "", "Weight of a short reading (beam).");
@@ -76,9 +74,33 @@ class ObservationModel {
                        Eigen::Ref<Eigen::ArrayXd> log_likelihood) const = 0;
 };
 
-/// The model that the options name.
-std::unique_ptr<ObservationModel> makeObservationModel(const ObservationOptions& options,
-                                                       std::shared_ptr<const OccupancyGrid> map,
-                                                       std::shared_ptr<const DistanceField> field);
+/// An observation model as it is registered.
+struct ObservationDescription {
+  std::string name;
+  std::string sentence;
+  std::function<std::unique_ptr<ObservationModel>(
+      const Parameters& given, const std::shared_ptr<const OccupancyGrid>& map,
+      const std::shared_ptr<const DistanceField>& field)>
+      make;
+  std::vector<OptionDescription> options;  // all that make() reads
+  double price{1.0};  // of a beam and particle, in look-ups of the likelihood field
+};
+
+struct ObservationChoice {
+  std::string laser_model_type{"likelihood_field"};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("laser_model_type", laser_model_type, Choices{}, "Observation model.");
+  }
+};
+
+/// The model that the parameters name. Throws std::invalid_argument naming key and value.
+inline std::unique_ptr<ObservationModel> makeObservationModel(
+    const Registry<ObservationDescription>& known, const Parameters& given,
+    const std::shared_ptr<const OccupancyGrid>& map,
+    const std::shared_ptr<const DistanceField>& field) {
+  return known.make(given.read<ObservationChoice>().laser_model_type, given, map, field);
+}
 
 }  // namespace adaptive_localization

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <string>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/registry.hpp"
 #include "adaptive_localization/core/rng.hpp"
 
 namespace adaptive_localization {
@@ -29,7 +33,44 @@ Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::Array
 std::vector<Eigen::Index> systematicIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
                                             Rng& rng);
 
+/// Stratified resampling (Kitagawa 1996): as systematic, with a random number for each of the
+/// `count` strata; particle i is drawn less than two times more or less often than count w_i.
+std::vector<Eigen::Index> stratifiedIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                            Rng& rng);
+
+/// Multinomial resampling (Gordon, Salmond, Smith 1993), as amcl does: independent draws.
+std::vector<Eigen::Index> multinomialIndices(const Eigen::ArrayXd& weights, Eigen::Index count,
+                                             Rng& rng);
+
 /// The particles at the indices, with equal weights.
 Particles select(const Particles& particles, const std::vector<Eigen::Index>& indices);
+
+/// How often each particle is drawn: `count` indices by normalised weights.
+using Resampling = std::function<std::vector<Eigen::Index>(const Eigen::ArrayXd& weights,
+                                                           Eigen::Index count, Rng& rng)>;
+
+/// A resampling scheme as it is registered.
+struct ResamplingDescription {
+  std::string name;
+  std::string sentence;
+  std::function<Resampling(const Parameters& given)> make;
+  std::vector<OptionDescription> options;  // all that make() reads
+};
+
+struct ResamplingChoice {
+  std::string resampling_scheme{"systematic"};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("resampling_scheme", resampling_scheme, Choices{},
+           "How particles are drawn by their weights.");
+  }
+};
+
+/// The scheme that the parameters name. Throws std::invalid_argument naming key and value.
+inline Resampling makeResampling(const Registry<ResamplingDescription>& known,
+                                 const Parameters& given) {
+  return known.make(given.read<ResamplingChoice>().resampling_scheme, given);
+}
 
 }  // namespace adaptive_localization

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/filters/builtins.hpp"
+
+#include "adaptive_localization/motion/differential_drive.hpp"
+#include "adaptive_localization/motion/omni_drive.hpp"
+#include "adaptive_localization/observation/likelihood_field.hpp"
+#include "adaptive_localization/observation/range_models.hpp"
+#include "builtin_filters.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using MapPtr = std::shared_ptr<const OccupancyGrid>;
+using FieldPtr = std::shared_ptr<const DistanceField>;
+
+template <class Drive>
+MotionDescription motion(const std::string& name, const std::string& sentence, NoiseRule rule) {
+  const auto make = [rule](const Parameters& given) {
+    return std::make_unique<Drive>(given.read<MotionOptions>(), rule);
+  };
+  return {name, sentence, make, describe(MotionOptions{})};
+}
+
+void addMotions(Registry<MotionDescription>& motions) {
+  motions.add(motion<DifferentialDrive>("diff-corrected", "A robot that turns and drives.",
+                                        NoiseRule::kVariances));
+  motions.add(motion<DifferentialDrive>(
+      "diff", "As diff-corrected, with variances for standard deviations (amcl's older model).",
+      NoiseRule::kDeviations));
+  motions.add(motion<OmniDrive>("omni-corrected", "A robot that moves in any direction.",
+                                NoiseRule::kVariances));
+  motions.add(motion<OmniDrive>(
+      "omni", "As omni-corrected, with variances for standard deviations (amcl's older model).",
+      NoiseRule::kDeviations));
+}
+
+ObservationDescription likelihoodField(const std::string& name, const std::string& sentence,
+                                       LikelihoodField::Form form) {
+  const auto make = [form](const Parameters& given, const MapPtr&, const FieldPtr& field) {
+    return std::make_unique<LikelihoodField>(given.read<ObservationOptions>(), form, field);
+  };
+  return {name, sentence, make, describe(ObservationOptions{})};
+}
+
+template <class Make>
+ObservationDescription rangeModel(const std::string& name, const std::string& sentence,
+                                  const Make& make_from) {
+  constexpr double kRay = 500.0;  // look-ups that take as long as a ray
+  const auto make = [make_from](const Parameters& given, const MapPtr& map, const FieldPtr&) {
+    return make_from(given.read<ObservationOptions>(), map);
+  };
+  return {name, sentence, make, describe(ObservationOptions{}), kRay};
+}
+
+void addObservations(Registry<ObservationDescription>& observations) {
+  using Form = LikelihoodField::Form;
+  observations.add(likelihoodField(
+      "likelihood_field", "How near hits are to walls, tempered: beams are not independent.",
+      Form::kTempered));
+  observations.add(likelihoodField("likelihood_field_prob",
+                                   "As likelihood_field, not tempered (amcl's); may skip beams.",
+                                   Form::kSum));
+  observations.add(likelihoodField(
+      "likelihood_field_cubed",
+      "As likelihood_field, by one and the sum of cubes (amcl's older rule).", Form::kCubed));
+  observations.add(rangeModel("beam",
+                              "Ranges against those expected by ray casting, tempered; dear.",
+                              [](const ObservationOptions& options, const MapPtr& map) {
+                                return std::make_unique<BeamModel>(options, map);
+                              }));
+  observations.add(rangeModel(
+      "inverse_l1",
+      "One by the sum of range errors, by ray casting (SAMCL's and SA-KLD's source); dear.",
+      [](const ObservationOptions&, const MapPtr& map) {
+        return std::make_unique<InverseL1>(map);
+      }));
+}
+
+void addResamplings(Registry<ResamplingDescription>& resamplings) {
+  const auto add = [&](const std::string& name, const std::string& sentence, Resampling scheme) {
+    resamplings.add({name, sentence, [scheme](const Parameters&) { return scheme; }, {}});
+  };
+  add("systematic", "All draws by one random number: the least variance.", systematicIndices);
+  add("stratified", "A random number for each draw, evenly spread.", stratifiedIndices);
+  add("multinomial", "Independent draws, as amcl has them.", multinomialIndices);
+}
+
+Registries makeBuiltins() {
+  Registries registries;
+  addMotions(registries.motions);
+  addObservations(registries.observations);
+  addResamplings(registries.resamplings);
+  for (auto& filter : builtinFilters()) registries.filters.add(std::move(filter));
+  return registries;
+}
+
+}  // namespace
+
+const Registries& builtins() {
+  static const Registries all = makeBuiltins();
+  return all;
+}
+
+}  // namespace adaptive_localization
