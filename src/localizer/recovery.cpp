@@ -6,38 +6,17 @@
 
 #include "adaptive_localization/ser/place.hpp"
 #include "adaptive_localization/ser/places.hpp"
+#include "occlusion.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-// Log odds of the core's place against any other.
-constexpr double kToldOdds = 9.0;   // of an initial pose
-constexpr double kFoundOdds = 3.0;  // of a place just found
-constexpr double kOddsPerMetre = 3.0;
-constexpr double kMostOdds = 12.0;      // by tracking
-constexpr double kLateMalus = 3.0;      // of places that an earlier search did not find
-constexpr double kOccludedShare = 0.9;  // of the odds that a scan leaves which sees nothing
+constexpr double kLateMalus = 3.0;  // of places that an earlier search did not find
 
-constexpr double kExplained = 0.2;    // m, mean range error of a scan that a place explains
-constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
-constexpr double kSearchWay = 1.0;    // m or rad between searches while places are left
-constexpr int kLongestPause = 8;      // scans between searches that find nothing
-constexpr double kWayOfChecks = 0.5;  // m or rad, to the second verification of an initial pose
-constexpr double kLastWayOfChecks = 10.0;
-constexpr double kOdometryJump = 3.0;  // m between updates
-constexpr double kLostFit = 0.2;       // below: the scan contradicts the map
-constexpr double kFoundFit = 0.5;      // above: it confirms it
-
-/// A hand before the laser looks like a corner of the map somewhere: a scan that sees hardly
-/// anything beyond arm's length is no evidence.
-bool isCovered(const Scan& scan) {
-  constexpr double kArm = 0.6;    // m
-  constexpr double kShare = 0.1;  // of the beams
-  const Eigen::Index far =
-      (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
-  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
-  return scan.hits() == 0 || static_cast<double>(far) < kShare * static_cast<double>(beams);
-}
+constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
+constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
+constexpr double kLostFit = 0.2;    // below: the scan contradicts the map
+constexpr double kFoundFit = 0.5;   // above: it confirms it
 
 double wayOf(const Pose2& motion) {
   return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
@@ -62,11 +41,10 @@ void Recovery::reset(const Prior& prior) {
   const bool is_told = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   was_tracking_ = false;
-  is_unverified_ = is_told;
-  prior_ = is_told ? kToldOdds : kFoundOdds;
-  way_to_check_ = 0.0;
-  way_of_checks_ = is_told ? kWayOfChecks : 0.0;
-  unexplained_ = pause_ = scans_until_search_ = 0;
+  told_ = ToldPose(is_told);
+  odds_ = TrackingOdds(is_told);
+  unexplained_ = 0;
+  pace_.restart();
   confidence_.reset();
   settle();
   is_settled_ = !from_anywhere_;
@@ -101,25 +79,24 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   confidence_.observe(estimate, observations);
   hypotheses_.ride(motion);
   way_ += wayOf(motion);
-  way_since_search_ += wayOf(motion);
-  way_to_check_ -= wayOf(motion);
-  if (std::hypot(motion.x, motion.y) > kOdometryJump) prior_ = 0.0;
+  pace_.travel(wayOf(motion));
+  told_.travel(wayOf(motion));
+  odds_.checkJump(motion);
   if (isCovered(observations.scan)) {
-    prior_ *= kOccludedShare;
+    odds_.seeNothing();
     return conclude();
   }
   const double error = range_error_.at(T_map_base, observations.scan).error;
   unexplained_ = error > usual_.limit() ? unexplained_ + 1 : 0;
   if (unexplained_ == 0) {
     usual_.observe(error);
-    pause_ = scans_until_search_ = 0;
-    const double earned = prior_ + kOddsPerMetre * std::hypot(motion.x, motion.y);
-    if (status_ == Status::kTracking) prior_ = std::max(prior_, std::min(kMostOdds, earned));
+    pace_.restart();
+    if (status_ == Status::kTracking) odds_.earn(motion);
   }
-  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base) || isCheckDue())) {
+  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base) || told_.isCheckDue())) {
     open(T_map_base_expected);
   } else if (is_settled_ && unexplained_ > 0) {
-    --scans_until_search_;
+    pace_.skipScan();
   }
   if (!is_settled_) {
     race(T_map_base, observations);
@@ -129,7 +106,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
 }
 
 bool Recovery::isUnverified(const Scan& scan) const {
-  return is_unverified_ && ground_.places->isReadyFor(scan);
+  return told_.isUnverified() && ground_.places->isReadyFor(scan);
 }
 
 void Recovery::verify(const Estimate& estimate, const Observations& observations) {
@@ -144,20 +121,14 @@ void Recovery::verify(const Estimate& estimate, const Observations& observations
 bool Recovery::isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
   if (had_place && !areSamePlace(T_map_base_expected, T_map_base)) return true;
-  return unexplained_ > 0 && scans_until_search_ <= 0;
-}
-
-bool Recovery::isCheckDue() const {
-  return is_unverified_ || (way_of_checks_ > 0.0 && way_to_check_ <= 0.0);
+  return unexplained_ > 0 && pace_.isOver();
 }
 
 void Recovery::open(const Pose2& T_map_base) {
-  const int pause = pause_;
   settle();
   is_settled_ = false;
-  pause_ = pause;
-  scans_until_search_ = 0;
-  hypotheses_.add(T_map_base, prior_);
+  pace_.begin();
+  hypotheses_.add(T_map_base, odds_.value());
 }
 
 void Recovery::settle() {
@@ -165,7 +136,6 @@ void Recovery::settle() {
   searched_ = explained_ = false;
   contradictions_ = 0;
   way_ = kNewWay;  // the first scan counts in full
-  way_since_search_ = 0.0;
   hypotheses_.clear();
   modes_.clear();
 }
@@ -174,7 +144,8 @@ void Recovery::settle() {
 /// it or not.
 void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.bestOdds() - kLateMalus);
-  if (searchIsDue()) search(observations);
+  // while no place explains the scans each may be the one that tells, but searching is not free
+  if (pace_.isDue(searched_ && explained_)) search(observations);
   hypotheses_.weigh(observations.scan, std::min(1.0, way_ / kNewWay), usual_.value());
   hypotheses_.prune();
   way_ = 0.0;
@@ -182,34 +153,19 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   contradictions_ = explained_ && !hypotheses_.knows(T_map_base) ? contradictions_ + 1 : 0;
   if (!searched_ || modes_.size() != 1 || !areSamePlace(modes_[0].T_map_base, T_map_base)) return;
-  const int pause = pause_;
   settle();
-  prior_ = std::max(prior_, kFoundOdds);
-  pause_ = unexplained_ > 0 ? std::min(kLongestPause, 2 * pause + 1) : 0;
-  scans_until_search_ = pause_;
-}
-
-/// While no place explains the scans each may be the one that tells, but searching is not free.
-bool Recovery::searchIsDue() {
-  if (!searched_ || !explained_) return --scans_until_search_ < 0;
-  return way_since_search_ > kSearchWay;
+  odds_.find();
+  pace_.searched(unexplained_ == 0);
 }
 
 void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = ground_.places->search(observations);
   const bool is_answer = ground_.places->isReadyFor(observations.scan);
   if (!is_answer) return;
-  if (way_of_checks_ > 0.0) {
-    is_unverified_ = false;
-    way_to_check_ = way_of_checks_;
-    way_of_checks_ = way_of_checks_ > kLastWayOfChecks ? 0.0 : 1.5 * way_of_checks_;
-  }
-  way_since_search_ = 0.0;
+  told_.checked();
   const double entry = searched_ ? hypotheses_.bestOdds() - kLateMalus : 0.0;
   for (const Place& place : places) hypotheses_.add(place.T_map_base, entry);
-  const bool is_found = !places.empty() && places.front().error < kExplained;
-  pause_ = is_found ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
-  scans_until_search_ = pause_;
+  pace_.searched(!places.empty() && places.front().error < kExplained);
   searched_ = searched_ || !hypotheses_.isEmpty();
 }
 
@@ -221,7 +177,7 @@ void Recovery::conclude() {
 /// An initial pose is not "tracking" before a scan could contradict it.
 Status Recovery::judge() const {
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
-  if (is_unverified_) return Status::kGlobalizing;
+  if (told_.isUnverified()) return Status::kGlobalizing;
   if (!is_settled_) {
     const bool fits = confidence_.latestFit() >= kFoundFit;
     return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;

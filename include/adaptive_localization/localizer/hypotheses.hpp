@@ -16,9 +16,10 @@ namespace adaptive_localization {
 ///
 /// w <= 1 is the share of the scan that is new, t what maps are off by, s_0 the error that makes a
 /// place e times less likely where the map is good. Where even the best place leaves much
-/// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as is
-/// usual may be of something that the map does not have, and says little of any place. Unlike the modes of a particle
-/// cloud, masses of places that look the same do not drift: only what is seen decides between them.
+/// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as
+/// is usual may be of something that the map does not have, and says little of any place. Unlike
+/// the modes of a particle cloud, masses of places that look the same do not drift: only what is
+/// seen decides between them.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground) : ground_(std::move(ground)) {}

@@ -9,7 +9,10 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 #include "adaptive_localization/localizer/hypotheses.hpp"
+#include "adaptive_localization/localizer/search_pace.hpp"
 #include "adaptive_localization/localizer/status.hpp"
+#include "adaptive_localization/localizer/told_pose.hpp"
+#include "adaptive_localization/localizer/tracking_odds.hpp"
 #include "adaptive_localization/localizer/usual_error.hpp"
 #include "adaptive_localization/map/range_error.hpp"
 
@@ -72,9 +75,7 @@ class Recovery {
   void open(const Pose2& T_map_base);
   void settle();
   bool isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const;
-  bool isCheckDue() const;
   void race(const Pose2& T_map_base, const Observations& observations);
-  bool searchIsDue();
   void search(const Observations& observations);
   void conclude();
   Status judge() const;
@@ -91,20 +92,16 @@ class Recovery {
 
   bool is_settled_{true};  // there is one place, the core's
   bool from_anywhere_{false};
-  bool was_tracking_{false};   // since the reset
-  bool is_unverified_{false};  // an initial pose that no scan could contradict yet
-  double prior_{0.0};          // log odds of the core's place against any other
-  double way_{0.0};            // since the last scan that counted, m or rad
-  double way_to_check_{0.0};   // until an initial pose is verified again, m or rad
-  double way_of_checks_{0.0};  // between verifications; 0: no more
+  bool was_tracking_{false};  // since the reset
+  ToldPose told_;
+  TrackingOdds odds_;
+  double way_{0.0};  // since the last scan that counted, m or rad
 
   bool searched_{false};   // since the race was opened, and something was found
   bool explained_{false};  // some place explains the last scan
   int unexplained_{0};     // scans in a row that do not fit the core's place
   int contradictions_{0};  // scans in a row for which the odds ruled it out
-  int scans_until_search_{0};
-  int pause_{0};  // scans between searches that find nothing
-  double way_since_search_{0.0};
+  SearchPace pace_;
 };
 
 }  // namespace adaptive_localization

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace adaptive_localization {
+
+/// An initial pose that somebody told, or nobody: when it has to be compared with other places
+/// again. At the first scan, and then on the way, ever farther apart.
+class ToldPose {
+ public:
+  ToldPose() = default;
+  explicit ToldPose(bool is_told) : is_unverified_(is_told), next_(is_told ? kFirst : 0.0) {}
+
+  /// No scan could contradict it yet.
+  bool isUnverified() const { return is_unverified_; }
+
+  bool isCheckDue() const { return is_unverified_ || (next_ > 0.0 && left_ <= 0.0); }
+
+  /// Metres, or radians.
+  void travel(double way) { left_ -= way; }
+
+  /// It was compared with all other places.
+  void checked() {
+    is_unverified_ = false;
+    left_ = next_;
+    next_ = next_ > kLast ? 0.0 : 1.5 * next_;
+  }
+
+ private:
+  static constexpr double kFirst = 0.5, kLast = 10.0;  // m or rad
+
+  bool is_unverified_{false};
+  double left_{0.0};
+  double next_{0.0};  // 0: no more
+};
+
+}  // namespace adaptive_localization

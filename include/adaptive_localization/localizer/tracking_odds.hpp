@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive_localization/core/pose2.hpp"
+
+namespace adaptive_localization {
+
+/// Log odds of the core's place against any other, before a scan is looked at. An initial pose
+/// starts with what somebody's word is worth; tracking earns more, metre by metre; a scan that sees
+/// nothing takes some away, and odometry that jumps takes all.
+class TrackingOdds {
+ public:
+  TrackingOdds() = default;
+  explicit TrackingOdds(bool is_told) : value_(is_told ? kTold : kFound) {}
+
+  double value() const { return value_; }
+
+  void earn(const Pose2& motion) {
+    const double earned = value_ + kPerMetre * std::hypot(motion.x, motion.y);
+    value_ = std::max(value_, std::min(kMost, earned));
+  }
+
+  void seeNothing() { value_ *= 0.9; }
+
+  /// Nobody drives so far from one update to the next.
+  void checkJump(const Pose2& motion) {
+    constexpr double kJump = 3.0;  // m
+    if (std::hypot(motion.x, motion.y) > kJump) value_ = 0.0;
+  }
+
+  /// The scans left no other place.
+  void find() { value_ = std::max(value_, kFound); }
+
+ private:
+  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 12.0, kPerMetre = 3.0;
+
+  double value_{kFound};
+};
+
+}  // namespace adaptive_localization

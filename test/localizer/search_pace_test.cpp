@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/search_pace.hpp"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace adaptive_localization {
+
+TEST(SearchPace, SlowsDownWhileNothingComesOfIt) {
+  SearchPace pace;
+  pace.begin();
+  std::vector<int> pauses;
+  for (int scan = 0, last = 0; scan < 40; ++scan) {
+    if (!pace.isDue(false)) continue;
+    pace.searched(false);
+    pauses.push_back(scan - last);
+    last = scan;
+  }
+  EXPECT_THAT(pauses, testing::ElementsAre(0, 2, 4, 8, 9, 9));
+  pace.searched(true);
+  EXPECT_TRUE(pace.isDue(false));
+}
+
+TEST(SearchPace, GoesByTheWayWhilePlacesAreLeft) {
+  SearchPace pace;
+  pace.begin();
+  EXPECT_FALSE(pace.isDue(true));
+  pace.travel(0.6);
+  EXPECT_FALSE(pace.isDue(true));
+  pace.travel(0.6);
+  EXPECT_TRUE(pace.isDue(true));
+  pace.searched(true);
+  EXPECT_FALSE(pace.isDue(true));
+}
+
+}  // namespace adaptive_localization

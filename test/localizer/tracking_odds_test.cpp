@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/tracking_odds.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adaptive_localization {
+
+TEST(TrackingOdds, GrowByTheWayAndSaturate) {
+  TrackingOdds odds(false);
+  double before = odds.value();
+  for (int i = 0; i < 10; ++i) {
+    odds.earn({0.1, 0.0, 0.3});
+    EXPECT_NEAR(odds.value() - before, 0.3, 1e-9);
+    before = odds.value();
+  }
+  for (int i = 0; i < 1000; ++i) odds.earn({0.1, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(odds.value(), 12.0);
+  odds.earn({0.0, 0.0, 1.0});  // a turn is no way
+  EXPECT_DOUBLE_EQ(odds.value(), 12.0);
+}
+
+TEST(TrackingOdds, AnInitialPoseIsWorthMoreThanAPlaceJustFound) {
+  EXPECT_GT(TrackingOdds(true).value(), TrackingOdds(false).value());
+}
+
+TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
+  TrackingOdds odds(true);
+  for (int i = 0; i < 30; ++i) odds.seeNothing();
+  EXPECT_LT(odds.value(), 0.5);
+  odds.find();
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(false).value());
+  odds.checkJump({1.0, 0.0, 0.0});
+  EXPECT_GT(odds.value(), 0.0);
+  odds.checkJump({0.0, -5.0, 0.0});
+  EXPECT_EQ(odds.value(), 0.0);
+}
+
+}  // namespace adaptive_localization
