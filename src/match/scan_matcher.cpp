@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "adaptive_localization/map/wall_depth.hpp"
 #include "adaptive_localization/match/line_map.hpp"
 #include "alignment.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kLeastHits = 10;       // of a scan that is matched
 constexpr double kSmallStep = 1e-4;  // m: the end
+constexpr double kNoise = 0.005;     // m, of mean distances
 constexpr double kShrink = 0.7;      // of the reach, from one iteration to the next
 
 /// Root mean square distance of the hits from base, at least a metre.
@@ -49,12 +51,40 @@ ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const Surf
 }
 
 ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map) {
-  if (options.line_map.empty()) return {options, std::make_shared<const SurfaceMap>(map)};
+  if (options.line_map.empty()) {
+    ScanMatcher matcher(options, std::make_shared<const SurfaceMap>(map));
+    if (hasThickWalls(map)) {
+      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(withThinWalls(map))});
+    }
+    return matcher;
+  }
   const auto lines = loadLineMap(options.line_map, map.lattice());
   return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines)};
 }
 
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {
+  const Match own = matchAlone(guess, scan, prior);
+  if (!other_) return own;
+  constexpr double kMost = 5.0;  // of the lead, so that it can be lost again
+  const Match others = other_->match(guess, scan, prior);
+  const double evidence = std::log((badness(own) + kNoise) / (badness(others) + kNoise));
+  lead_of_other_ += std::min(1.0, std::max(-1.0, evidence));
+  lead_of_other_ = std::min(kMost, std::max(-kMost, lead_of_other_));
+  return lead_of_other_ > 0.0 ? others : own;
+}
+
+void ScanMatcher::tryAlso(ScanMatcher other) {
+  other_ = std::make_shared<const ScanMatcher>(std::move(other));
+}
+
+/// Mean distance of all hits, m, those that do not fit being as far off as others may be.
+double ScanMatcher::badness(const Match& match) const {
+  return match.inlier_ratio * match.mean_distance +
+         (1.0 - match.inlier_ratio) * options_.match_reach_end;
+}
+
+Match ScanMatcher::matchAlone(const Pose2& guess, const Scan& scan,
+                              const Eigen::Matrix3d& prior) const {
   Match match;
   match.fits.assign(static_cast<std::size_t>(scan.hits()), 0);
   if (isFinite(guess)) match.T_map_base = guess;

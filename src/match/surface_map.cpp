@@ -6,7 +6,6 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "adaptive_localization/map/wall_depth.hpp"
 #include "cells_along.hpp"
 #include "surface_fit.hpp"
 
@@ -35,8 +34,7 @@ bool looksTo(std::size_t layer, const Surface& surface) {
 
 SurfaceMap::SurfaceMap(const OccupancyGrid& grid) : lattice_(grid.lattice()) {
   std::vector<Seed> seeds;
-  const auto all = hasThickWalls(grid) ? fitSurfaces(withThinWalls(grid)) : fitSurfaces(grid);
-  for (const FittedSurface& fitted : all) {
+  for (const FittedSurface& fitted : fitSurfaces(grid)) {
     seeds.push_back({fitted.cell, static_cast<std::uint32_t>(surfaces_.size())});
     surfaces_.push_back(fitted.surface);
   }

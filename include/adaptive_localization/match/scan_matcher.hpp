@@ -100,7 +100,12 @@ class ScanMatcher {
   Match match(const Pose2& guess, const Scan& scan,
               const Eigen::Matrix3d& prior = Eigen::Matrix3d::Zero()) const;
 
+  /// Matches with these surfaces as well: those that scans fit better, on the way so far, count.
+  void tryAlso(ScanMatcher other);
+
  private:
+  Match matchAlone(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const;
+  double badness(const Match& match) const;
   void align(const Scan& scan, const Eigen::Matrix3d& prior, Match& match) const;
   double hitVariance() const;
   double precisionOf(const Eigen::Vector2d& normal, const Eigen::Vector2d& ray) const;
@@ -110,9 +115,13 @@ class ScanMatcher {
 
   MatchOptions options_;
   std::shared_ptr<const SurfaceMap> surfaces_;
+  std::shared_ptr<const ScanMatcher> other_;
+  mutable double lead_of_other_{0.0};  // in log ratios of mean distances
 };
 
-/// On the surfaces of a map, or of the floor plan that the options name. Throws
+/// On the surfaces of a map, or of the floor plan that the options name. Where the map's walls are
+/// thick, on their faces or their middles, whichever the scans fit: walls painted from a plan have
+/// faces where a laser sees them, those made of scans laid over each other inexactly do not. Throws
 /// std::invalid_argument naming the option and what is wrong with it.
 ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map);
 
