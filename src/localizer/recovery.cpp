@@ -86,6 +86,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     odds_.seeNothing();
     return conclude();
   }
+  if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = range_error_.at(T_map_base, observations.scan).error;
   unexplained_ = error > usual_.limit() ? unexplained_ + 1 : 0;
   if (unexplained_ == 0) {

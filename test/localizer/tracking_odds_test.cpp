@@ -14,9 +14,9 @@ TEST(TrackingOdds, GrowByTheWayAndSaturate) {
     before = odds.value();
   }
   for (int i = 0; i < 1000; ++i) odds.earn({0.1, 0.0, 0.0});
-  EXPECT_DOUBLE_EQ(odds.value(), 12.0);
+  EXPECT_DOUBLE_EQ(odds.value(), 18.0);
   odds.earn({0.0, 0.0, 1.0});  // a turn is no way
-  EXPECT_DOUBLE_EQ(odds.value(), 12.0);
+  EXPECT_DOUBLE_EQ(odds.value(), 18.0);
 }
 
 TEST(TrackingOdds, AnInitialPoseIsWorthMoreThanAPlaceJustFound) {

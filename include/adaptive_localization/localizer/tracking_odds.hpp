@@ -35,7 +35,7 @@ class TrackingOdds {
   void find() { value_ = std::max(value_, kFound); }
 
  private:
-  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 12.0, kPerMetre = 3.0;
+  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 18.0, kPerMetre = 3.0;
 
   double value_{kFound};
 };
