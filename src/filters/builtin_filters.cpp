@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "builtin_filters.hpp"
 
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/kidnap_test.hpp"
 #include "elsewhere.hpp"
 #include "kalman_filters.hpp"
@@ -22,8 +23,10 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
   checkPriceOfUpdate(given, observations.find(given.read<ObservationChoice>().laser_model_type));
   ParticleFilterParts parts;
   parts.motion = makeMotionModel(context.models.motions, given);
-  parts.observation =
-      makeObservationModel(observations, given, context.ground.map, context.ground.field);
+  const Ground& ground = context.ground;
+  auto senses = makeSenses(context.models.senses, given, ground.map, ground.field);
+  senses->add(makeObservationModel(observations, given, ground.map, ground.field));
+  parts.observation = std::move(senses);
   parts.resampling = makeResampling(context.models.resamplings, given);
   const auto sizes = given.read<SampleSizeOptions>();
   parts.size = size == Size::kKld ? kldSampleSize(sizes) : fixedSampleSize(sizes);
@@ -93,6 +96,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
                                              context.ground.map, context.ground.field, places,
                                              std::move(matcher));
   parts.elsewhere = makeSampler(given, context.ground.map, places);
+  parts.senses = makeSenses(context.models.senses, given, context.ground.map, context.ground.field);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),
                                        context.seed);
 }

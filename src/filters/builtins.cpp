@@ -3,6 +3,7 @@
 
 #include "adaptive_localization/motion/differential_drive.hpp"
 #include "adaptive_localization/motion/omni_drive.hpp"
+#include "adaptive_localization/observation/heading_prior.hpp"
 #include "adaptive_localization/observation/likelihood_field.hpp"
 #include "adaptive_localization/observation/range_models.hpp"
 #include "builtin_filters.hpp"
@@ -76,6 +77,13 @@ void addObservations(Registry<ObservationDescription>& observations) {
       }));
 }
 
+void addSenses(Registry<ObservationDescription>& senses) {
+  const auto make = [](const Parameters&, const MapPtr&, const FieldPtr&) {
+    return std::make_unique<HeadingPrior>();
+  };
+  senses.add({"heading", "What a compass says.", make, {}});
+}
+
 void addResamplings(Registry<ResamplingDescription>& resamplings) {
   const auto add = [&](const std::string& name, const std::string& sentence, Resampling scheme) {
     resamplings.add({name, sentence, [scheme](const Parameters&) { return scheme; }, {}});
@@ -89,6 +97,7 @@ Registries makeBuiltins() {
   Registries registries;
   addMotions(registries.motions);
   addObservations(registries.observations);
+  addSenses(registries.senses);
   addResamplings(registries.resamplings);
   for (auto& filter : builtinFilters()) registries.filters.add(std::move(filter));
   return registries;

@@ -59,6 +59,7 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   const Pose2 before = tracker_.mean();
   if (isPlausible(motion)) tracker_.predict(motion, parts_.motion->covariance(motion));
   if (anywhere_) startAt(observations);
+  tracker_.correctBy(*parts_.senses, observations);
   match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
   if (distance({}, motion) > kJump || std::abs(motion.theta) > kJump) {
     undoJump(before, observations.scan);

@@ -10,6 +10,7 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "match/scan_tracker.hpp"
 
@@ -40,6 +41,7 @@ struct EkfParts {
   std::unique_ptr<MotionModel> motion;
   MatchScan match;
   std::unique_ptr<PoseSampler> elsewhere;
+  std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
 };
 
 /// An extended Kalman filter that is corrected by matching scans with the map:

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "adaptive_localization/match/line_matcher.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "ekf_icp.hpp"
 #include "elsewhere.hpp"
 #include "presets.hpp"
@@ -31,7 +32,8 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   EkfParts parts{
       makeMotionModel(context.models.motions, given),
       makeMatchScan(options.ekf_landmarks, given, *context.ground.map),
-      std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map)};
+      std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map),
+      makeSenses(context.models.senses, given, context.ground.map, context.ground.field)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }
 

@@ -82,6 +82,9 @@ std::vector<OptionDescription> optionsOf(const FilterDescription& filter, const 
     rows.addModels(models.observations);
     rows.addModels(models.resamplings);
   }
+  for (const auto& name : models.senses.names()) {
+    for (const auto& option : models.senses.find(name).options) rows.add(option);
+  }
   return rows.take();
 }
 

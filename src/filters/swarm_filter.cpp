@@ -76,7 +76,7 @@ Eigen::Matrix3d SwarmFilter::cloudCovariance(double xy, double theta) const {
 }
 
 Estimate SwarmFilter::update(const Pose2& motion, const Observations& observations) {
-  ride(motion);
+  ride(motion, observations);
   if (observations.scan.hits() == 0) return estimate_;
   if (anywhere_) {
     fixAnywhere(observations);
@@ -86,13 +86,14 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
   return estimate_;
 }
 
-/// Moves pose and bats, and adds the noise of odometry.
-void SwarmFilter::ride(const Pose2& motion) {
+/// Moves pose and bats, adds the noise of odometry, and listens to other senses than the laser.
+void SwarmFilter::ride(const Pose2& motion, const Observations& observations) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
   for (Mode& mode : estimate_.modes) {
     PoseKalman belief = beliefOf(mode);
     belief.predict(motion, noise);
+    correctBy(*parts_.senses, observations, belief);
     mode.T_map_base = belief.mean();
     mode.covariance = belief.covariance();
   }

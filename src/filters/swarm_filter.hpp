@@ -8,6 +8,7 @@
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
@@ -48,6 +49,7 @@ struct SwarmFilterParts {
   std::unique_ptr<SwarmMove> move;
   std::unique_ptr<SwarmFixer> fixer;
   std::unique_ptr<PoseSampler> elsewhere;
+  std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
 };
 
 /// A swarm looks for the pose that explains the scan best, in a narrow cloud where odometry says
@@ -70,7 +72,7 @@ class SwarmFilter : public Filter {
  private:
   Eigen::Matrix3d cloudCovariance(double xy, double theta) const;
   void drawElsewhere(double share_here);
-  void ride(const Pose2& motion);
+  void ride(const Pose2& motion, const Observations& observations);
   bool isFixDue(const Observations& observations) const;
   SwarmFix lookHere(const Observations& observations);
   void fixHere(const Observations& observations);

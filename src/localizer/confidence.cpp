@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "match/pose_kalman.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -12,8 +14,9 @@ constexpr double kContradiction = 0.2;  // a fit below tells that the robot is n
 
 }  // namespace
 
-Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field)
-    : options_(options), field_(std::move(field)) {
+Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field,
+                       Senses senses)
+    : options_(options), field_(std::move(field)), senses_(std::move(senses)) {
   if (options_.confidence_low_inliers >= options_.confidence_high_inliers) {
     throw std::invalid_argument("option 'confidence_low_inliers': got " +
                                 std::to_string(options_.confidence_low_inliers) +
@@ -26,7 +29,7 @@ void Confidence::reset() {
   fit_ = -1.0;
   latest_fit_ = value_ = 0.0;
   contradictions_ = 0;
-  compact_ = ambiguous_ = false;
+  is_gainsaid_ = compact_ = ambiguous_ = false;
 }
 
 void Confidence::goOnFrom(const Confidence& other) {
@@ -34,6 +37,7 @@ void Confidence::goOnFrom(const Confidence& other) {
   value_ = other.value_;
   latest_fit_ = other.latest_fit_;
   contradictions_ = other.contradictions_;
+  is_gainsaid_ = other.is_gainsaid_;
   compact_ = other.compact_;
   ambiguous_ = other.ambiguous_;
 }
@@ -61,7 +65,10 @@ void Confidence::observe(const Estimate& estimate, const Observations& observati
   compact_ = relative < 1.0;
   ambiguous_ = estimate.modes.size() > 1 && estimate.modes[1].mass >= options_.ambiguous_mass;
   const double mass = estimate.modes.empty() ? 0.0 : estimate.modes.front().mass;
-  value_ = std::clamp(fit() * mass / (1.0 + relative), 0.0, 1.0);
+  is_gainsaid_ =
+      areContradicting(*senses_, observations, {estimate.T_map_base, estimate.covariance});
+  const double agreement = is_gainsaid_ ? 0.5 : 1.0;
+  value_ = std::clamp(fit() * agreement * mass / (1.0 + relative), 0.0, 1.0);
 }
 
 }  // namespace adaptive_localization

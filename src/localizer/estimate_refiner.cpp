@@ -30,15 +30,17 @@ bool isNear(const Estimate& estimate, const Pose2& T_map_base) {
 
 }  // namespace
 
-EstimateRefiner::EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion)
-    : tracker_(std::move(match)), motion_(std::move(motion)) {}
+EstimateRefiner::EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion,
+                                 Senses senses)
+    : tracker_(std::move(match)), motion_(std::move(motion)), senses_(std::move(senses)) {}
 
 void EstimateRefiner::reset() {
   is_on_ = false;
   match_.reset();
 }
 
-Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion, const Scan& scan) {
+Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion,
+                                 const Observations& observations) {
   match_.reset();
   if (!isNarrow(estimate)) {
     is_on_ = false;
@@ -47,7 +49,8 @@ Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion, const S
   if (!goesOnFrom(estimate, motion)) {
     tracker_.reset({estimate.T_map_base, loosened(estimate.covariance)});
   }
-  match_ = tracker_.matchAt(tracker_.mean(), scan);
+  tracker_.correctBy(*senses_, observations);
+  match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
   is_on_ = tracker_.correct(*match_,
                             [&](const Match& match) { return isNear(estimate, match.T_map_base); });
   if (!is_on_) return estimate;
@@ -66,9 +69,10 @@ bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) 
 
 std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
                                                      const Parameters& given,
-                                                     const OccupancyGrid& map) {
+                                                     const OccupancyGrid& map, Senses senses) {
   return std::make_unique<EstimateRefiner>(
-      matchBy(makeScanMatcher(given.read<MatchOptions>(), map)), makeMotionModel(motions, given));
+      matchBy(makeScanMatcher(given.read<MatchOptions>(), map)), makeMotionModel(motions, given),
+      std::move(senses));
 }
 
 }  // namespace adaptive_localization

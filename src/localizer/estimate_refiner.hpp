@@ -7,6 +7,7 @@
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "match/scan_tracker.hpp"
 
 namespace adaptive_localization {
@@ -16,12 +17,12 @@ namespace adaptive_localization {
 /// soon as that is too far from its own, or nothing was matched.
 class EstimateRefiner {
  public:
-  EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion);
+  EstimateRefiner(MatchScan match, std::unique_ptr<MotionModel> motion, Senses senses = noSenses());
 
-  /// What the filter says after it moved by odometry, motion = T_previous_current, and saw a scan,
+  /// What the filter says after it moved by odometry, motion = T_previous_current, and observed,
   /// with the matched pose and its covariance in place of its own. The same estimate where a cloud
   /// is wide, as a match may then find anything, and where the scan does not match nearby.
-  Estimate refine(Estimate estimate, const Pose2& motion, const Scan& scan);
+  Estimate refine(Estimate estimate, const Pose2& motion, const Observations& observations);
 
   /// Forgets where the filter was.
   void reset();
@@ -34,6 +35,7 @@ class EstimateRefiner {
 
   ScanTracker tracker_;
   std::unique_ptr<MotionModel> motion_;
+  Senses senses_;
   bool is_on_{false};  // was matched with the last scan
   std::optional<Match> match_;
 };
@@ -42,6 +44,6 @@ class EstimateRefiner {
 /// makeMotionModel().
 std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
                                                      const Parameters& given,
-                                                     const OccupancyGrid& map);
+                                                     const OccupancyGrid& map, Senses senses);
 
 }  // namespace adaptive_localization

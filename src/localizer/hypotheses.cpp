@@ -66,7 +66,18 @@ void Hypotheses::ride(const Pose2& motion) {
   for (Hypothesis& hypothesis : all_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
 }
 
-void Hypotheses::weigh(const Scan& scan, double share, double usual) {
+Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
+  Particles places(static_cast<Eigen::Index>(all_.size()));
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    places.setPose(static_cast<Eigen::Index>(i), all_[i].T_map_base);
+  }
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(places.size());
+  senses_->score(observations, places, log_likelihood);
+  return log_likelihood;
+}
+
+void Hypotheses::weigh(const Observations& observations, double share, double usual) {
+  const Scan& scan = observations.scan;
   const PlaceRefiner refiner(ground_.map, *ground_.field, scan, scan.max_range,
                              RangeError::kTruncation);
   least_error_ = RangeError::kTruncation;
@@ -79,9 +90,12 @@ void Hypotheses::weigh(const Scan& scan, double share, double usual) {
   const bool fits =
       least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
   const double most = fits ? std::numeric_limits<double>::infinity() : kMostWithoutFit;
-  for (Hypothesis& hypothesis : all_) {
-    hypothesis.log_odds -= (hypothesis.is_new ? 1.0 : share) *
-                           std::min(most, loss(hypothesis.error, least_error_, usual));
+  const Eigen::ArrayXd senses = scores(observations);
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    Hypothesis& hypothesis = all_[i];
+    const double by_scan = -std::min(most, loss(hypothesis.error, least_error_, usual));
+    const double told = by_scan + senses[static_cast<Eigen::Index>(i)];
+    hypothesis.log_odds += (hypothesis.is_new ? 1.0 : share) * told;
     hypothesis.is_new = false;
   }
 }

@@ -58,10 +58,12 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
                               static_cast<std::uint64_t>(setup.options.seed)};
   auto filter = reader_.registries().filters.make(setup.options.filter, context);
   if (belief) filter->reset(*belief);
-  Recovery recovery(setup.confidence, ground);
+  const Senses senses =
+      makeSenses(reader_.registries().senses, context.parameters, ground.map, ground.field);
+  Recovery recovery(setup.confidence, ground, senses);
   if (recovery_) recovery.goOnFrom(*recovery_);
   auto refiner = setup.options.refine ? makeEstimateRefiner(reader_.registries().motions,
-                                                            context.parameters, *ground.map)
+                                                            context.parameters, *ground.map, senses)
                                       : nullptr;
 
   setThreads(setup.options.threads);
@@ -88,7 +90,7 @@ void Localizer::configure(const Parameters& parameters) {
       !ground.places) {
     return build(std::move(setup), std::move(ground), belief());
   }
-  Recovery recovery(setup.confidence, ground);
+  Recovery recovery(setup.confidence, ground, recovery_->senses());
   recovery.goOnFrom(*recovery_);
   recovery_.emplace(std::move(recovery));
   setThreads(setup.options.threads);
@@ -193,7 +195,7 @@ Estimate Localizer::askCore(const Pose2& motion, const Observations& observation
     seen.scan = Scan{};
   }
   const Estimate estimate = finite(filter_->update(motion, seen));
-  return refiner_ && !filter_->match() ? refiner_->refine(estimate, motion, seen.scan) : estimate;
+  return refiner_ && !filter_->match() ? refiner_->refine(estimate, motion, seen) : estimate;
 }
 
 /// To the places that are left.

@@ -15,27 +15,21 @@ constexpr double kLateMalus = 3.0;  // of places that an earlier search did not 
 
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
-constexpr double kLostFit = 0.2;    // below: the scan contradicts the map
-constexpr double kFoundFit = 0.5;   // above: it confirms it
+constexpr double kLostFit = 0.2, kFoundFit = 0.5;  // below, above: a scan gainsays, confirms
 
 double wayOf(const Pose2& motion) {
   return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
 }
 
-bool isSmallStep(const Pose2& from, const Pose2& to) {
-  constexpr double kSmall = 0.1;  // m, rad
-  const Pose2 step = between(from, to);
-  return std::hypot(step.x, step.y) < kSmall && std::abs(step.theta) < kSmall;
-}
-
 }  // namespace
 
-Recovery::Recovery(const ConfidenceOptions& options, Ground ground)
+Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses senses)
     : ground_(ground),
+      senses_(senses),
       range_error_(ground.map),
-      confidence_(options, ground.field),
-      usual_(*ground.map),
-      hypotheses_(ground) {}
+      confidence_(options, ground.field, senses),
+      usual_(*ground.field),
+      hypotheses_(ground, senses) {}
 
 void Recovery::reset(const Prior& prior) {
   const bool is_told = std::holds_alternative<Gaussian2>(prior);
@@ -52,16 +46,15 @@ void Recovery::reset(const Prior& prior) {
 }
 
 void Recovery::goOnFrom(const Recovery& other) {
-  const Ground ground = ground_;
-  const RangeError range_error = range_error_;
-  Confidence confidence = confidence_;
-  confidence.goOnFrom(other.confidence_);
-  *this = other;
-  confidence_ = confidence;
-  if (ground.map != ground_.map) usual_ = UsualError(*ground.map);
-  hypotheses_.standOn(ground);
-  range_error_ = range_error;
-  ground_ = ground;
+  Recovery next = other;
+  next.ground_ = ground_;
+  next.senses_ = senses_;
+  next.range_error_ = range_error_;
+  next.confidence_ = confidence_;
+  next.confidence_.goOnFrom(other.confidence_);
+  if (ground_.map != other.ground_.map) next.usual_ = usual_;
+  next.hypotheses_.standOn(ground_, senses_);
+  *this = std::move(next);
 }
 
 bool Recovery::isOccluded(const Pose2& T_map_base, const Scan& scan) const {
@@ -88,7 +81,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = range_error_.at(T_map_base, observations.scan).error;
-  unexplained_ = error > usual_.limit() ? unexplained_ + 1 : 0;
+  const bool is_unexplained = error > usual_.limit() || confidence_.isGainsaid();
+  unexplained_ = is_unexplained ? unexplained_ + 1 : 0;
   if (unexplained_ == 0) {
     usual_.observe(error);
     pace_.restart();
@@ -147,7 +141,7 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.bestOdds() - kLateMalus);
   // while no place explains the scans each may be the one that tells, but searching is not free
   if (pace_.isDue(searched_ && explained_)) search(observations);
-  hypotheses_.weigh(observations.scan, std::min(1.0, way_ / kNewWay), usual_.value());
+  hypotheses_.weigh(observations, std::min(1.0, way_ / kNewWay), usual_.value());
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
@@ -161,8 +155,7 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
 
 void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = ground_.places->search(observations);
-  const bool is_answer = ground_.places->isReadyFor(observations.scan);
-  if (!is_answer) return;
+  if (!ground_.places->isReadyFor(observations.scan)) return;  // that was no answer
   told_.checked();
   const double entry = searched_ ? hypotheses_.bestOdds() - kLateMalus : 0.0;
   for (const Place& place : places) hypotheses_.add(place.T_map_base, entry);
@@ -197,10 +190,6 @@ double Recovery::shareOf(const Pose2& T_map_base) const {
     if (areSamePlace(mode.T_map_base, T_map_base)) return mode.mass;
   }
   return 0.0;
-}
-
-double Recovery::confidence(const Pose2& T_map_base) const {
-  return confidence_.value() * shareOf(T_map_base);
 }
 
 /// A robot that was known to be somewhere is there until that place is ruled out and another one,

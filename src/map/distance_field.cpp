@@ -5,26 +5,20 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "adaptive_localization/map/wall_depth.hpp"
+#include "occupied_depth.hpp"
+
 namespace adaptive_localization {
 namespace {
 
-constexpr double kWallDepth = 0.35;  // m
-
 /// 0 in the cells of walls, 255 elsewhere; empty if there are none.
 cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
-  const Lattice& lattice = grid.lattice();
-  cv::Mat occupied(lattice.height(), lattice.width(), CV_8U);
-  for (std::size_t i = 0; i < lattice.size(); ++i) {
-    occupied.data[i] = grid.cells()[i] == OccupancyGrid::kOccupied ? 255 : 0;
-  }
+  const cv::Mat occupied = occupiedCells(grid);
   if (cv::countNonZero(occupied) == 0) return {};
   stop.check();
-  cv::Mat framed, depth;  // in cells, from the nearest one that is not occupied
-  cv::copyMakeBorder(occupied, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  depth = depth(cv::Rect(1, 1, lattice.width(), lattice.height()));
+  const cv::Mat depth = depthOf(occupied);
   stop.check();
-  const double most = 1.0 + kWallDepth / lattice.resolution();
+  const double most = 1.0 + kWallDepth / grid.lattice().resolution();
   cv::Mat open = occupied == 0;
   open.setTo(255, depth > most);
   return open;
@@ -33,7 +27,9 @@ cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
-    : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell) {
+    : lattice_(grid.lattice()),
+      step_(lattice_.resolution() / kStepsPerCell),
+      wall_depth_(adaptive_localization::wallDepth(grid)) {
   steps_.assign(lattice_.size(), kFar);
   const cv::Mat walls = wallsOf(grid, stop);
   if (walls.empty()) return;

@@ -2,9 +2,10 @@
 #include "adaptive_localization/map/wall_depth.hpp"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
+
+#include "occupied_depth.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -58,15 +59,8 @@ bool hasThickWalls(const OccupancyGrid& map) {
 
 OccupancyGrid withThinWalls(const OccupancyGrid& map) {
   const Lattice& lattice = map.lattice();
-  cv::Mat occupied(lattice.height(), lattice.width(), CV_8U);
   std::vector<std::int8_t> cells = map.cells();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    occupied.data[i] = cells[i] == OccupancyGrid::kOccupied ? 255 : 0;
-  }
-  cv::Mat framed, depth;  // in cells, from the nearest one that is not occupied
-  cv::copyMakeBorder(occupied, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  cv::distanceTransform(framed, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  depth = depth(cv::Rect(1, 1, lattice.width(), lattice.height()));
+  const cv::Mat depth = depthOf(occupiedCells(map));
   const double usual = 0.5 * cellsDeep(map);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] != OccupancyGrid::kOccupied) continue;

@@ -2,6 +2,7 @@
 #include "pose_kalman.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +23,12 @@ Eigen::LLT<PoseObservation::Square> innovationCovariance(const Eigen::Matrix3d& 
                                                          const PoseObservation& observation) {
   const PoseObservation::Square S = observation.H * P * observation.H.transpose() + observation.R;
   return S.llt();
+}
+
+/// Beyond 99.9 % of a chi-square variable with as many degrees of freedom as the observation.
+bool isOutlier(const PoseObservation& observation, const PoseKalman& belief) {
+  constexpr double kMost[] = {0.0, 10.83, 13.82, 16.27};
+  return !(belief.distanceOf(observation) < kMost[observation.innovation.size()]);
 }
 
 }  // namespace
@@ -75,6 +82,25 @@ bool PoseKalman::correct(const PoseObservation& observation) {
                   wrapAngle(belief_.mean.theta + step.z())};
   belief_.covariance = covariance;
   return true;
+}
+
+void correctBy(const ObservationModel& senses, const Observations& observations,
+               PoseKalman& belief) {
+  const std::size_t count = senses.linearized(observations, belief.mean()).size();
+  for (std::size_t i = 0; i < count; ++i) {  // each where those before have moved the belief to
+    const PoseObservation seen = senses.linearized(observations, belief.mean())[i];
+    if (!isOutlier(seen, belief)) belief.correct(seen);
+  }
+}
+
+bool areContradicting(const ObservationModel& senses, const Observations& observations,
+                      const Gaussian2& belief) {
+  PoseKalman kalman;
+  kalman.reset(belief);
+  const auto seen = senses.linearized(observations, kalman.mean());
+  return std::any_of(seen.begin(), seen.end(), [&](const PoseObservation& observation) {
+    return isOutlier(observation, kalman);
+  });
 }
 
 }  // namespace adaptive_localization

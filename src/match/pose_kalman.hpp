@@ -4,21 +4,11 @@
 #include <Eigen/Core>
 
 #include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/pose_observation.hpp"
 #include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/observation/observation_model.hpp"
 
 namespace adaptive_localization {
-
-/// What an observation says of the pose, to first order: innovation nu = z - h(x), its Jacobian
-/// H = dh/d(x, y, theta), and the observation's covariance R; k <= 3 rows.
-struct PoseObservation {
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3>;
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
-
-  Vector innovation;
-  Rows H;
-  Square R;
-};
 
 /// All of the pose, observed as it is: H = I, headings wrapped.
 PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed);
@@ -57,5 +47,13 @@ class PoseKalman {
  private:
   Gaussian2 belief_;
 };
+
+/// Corrects a belief by what the senses observed, but for outliers.
+void correctBy(const ObservationModel& senses, const Observations& observations,
+               PoseKalman& belief);
+
+/// Whether the senses observed what cannot be where the robot is believed to be.
+bool areContradicting(const ObservationModel& senses, const Observations& observations,
+                      const Gaussian2& belief);
 
 }  // namespace adaptive_localization

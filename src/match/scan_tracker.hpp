@@ -37,6 +37,11 @@ class ScanTracker {
     kalman_.predict(motion, noise);
   }
 
+  /// Corrects the belief by what other senses than the laser observed.
+  void correctBy(const ObservationModel& senses, const Observations& observations) {
+    adaptive_localization::correctBy(senses, observations, kalman_);
+  }
+
   /// A scan aligned with the map from a pose on, with the belief's covariance for a prior.
   Match matchAt(const Pose2& T_map_base, const Scan& scan) const;
 

@@ -54,7 +54,10 @@ TEST_P(EveryFilter, IsSaneWhateverItIsGiven) {
 
   const auto filter = makeFilter(GetParam(), 300);
   filter->reset(roughly({1.0, 1.0, 0.0}));
-  for (const Observations& seen : {good, Observations{}, invalid, blind, no_numbers, good}) {
+  Observations no_heading = good;
+  no_heading.heading = Heading{nan, inf};
+  for (const Observations& seen :
+       {good, Observations{}, invalid, blind, no_numbers, no_heading, good}) {
     ASSERT_THAT(filter->update({0.1, 0.0, 0.1}, seen), IsSaneEstimate());
     ASSERT_THAT(filter->estimate(), IsSaneEstimate());
   }
@@ -176,6 +179,49 @@ TEST_P(EveryFilter, TracksARobotThatItKnowsRoughly) {
     if (i < 10) continue;
     ASSERT_THAT(estimate.T_map_base, PoseNear(drive[i].T_map_base, 0.15, 0.087)) << "step " << i;
   }
+}
+
+/// The drive with a compass that is off by some degrees, another at each scan.
+TEST_P(EveryFilter, TracksWithAHeadingBesideTheScan) {
+  auto drive = toyDrive(asymmetricWorld(), 2);
+  Rng rng(9);
+  const auto filter = makeFilter(GetParam(), 1000);
+  filter->reset(roughly(drive.front().T_map_base));
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    drive[i].observations.heading = Heading{drive[i].T_map_base.theta + rng.normal(0.0, 0.1), 0.1};
+    const Estimate estimate = filter->update(drive[i].motion, drive[i].observations);
+    ASSERT_THAT(estimate, IsSaneEstimate());
+    if (i < 10) continue;
+    ASSERT_THAT(estimate.T_map_base, PoseNear(drive[i].T_map_base, 0.15, 0.087)) << "step " << i;
+  }
+}
+
+TEST_P(EveryFilter, ListensToAHeadingWithoutAScan) {
+  const auto filter = makeFilter(GetParam(), 2000);
+  filter->reset(Gaussian2{{3.0, 1.0, 0.0}, Eigen::Vector3d(0.01, 0.01, 0.09).asDiagonal()});
+  Observations told;
+  told.heading = Heading{0.3, 0.05};
+  Estimate estimate;
+  for (int i = 0; i < 3; ++i) estimate = filter->update({0.01, 0.0, 0.0}, told);
+  EXPECT_NEAR(estimate.T_map_base.theta, 0.3, 0.06);
+  EXPECT_LT(estimate.covariance(2, 2), 0.01);
+  EXPECT_NEAR(estimate.T_map_base.x, 3.03, 0.05);
+}
+
+TEST_P(EveryFilter, FollowsOdometryWithoutAnyObservation) {
+  const auto filter = makeFilter(GetParam(), 2000);
+  filter->reset(Gaussian2{{3.0, 1.0, 0.5}, Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()});
+  Pose2 expected{3.0, 1.0, 0.5};
+  double before = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    const Pose2 motion{0.1, 0.0, 0.05};
+    expected = expected * motion;
+    const Estimate estimate = filter->update(motion, {});
+    ASSERT_THAT(estimate, IsSaneEstimate());
+    if (i == 0) before = estimate.covariance.trace();
+  }
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(expected, 0.1, 0.1));
+  EXPECT_GT(filter->estimate().covariance.trace(), before);
 }
 
 TEST_P(EveryFilter, StartsAnewWhenTold) {

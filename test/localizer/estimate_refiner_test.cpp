@@ -37,8 +37,7 @@ TEST_F(Refining, BringsNoisyEstimatesToTheTruth) {
   for (const ToyStep& step : drive_) {
     const Pose2 noisy = shifted(step.T_map_base, rng_.normal(0.0, 0.03), rng_.normal(0.0, 0.03),
                                 rng_.normal(0.0, 0.02));
-    const Estimate refined =
-        refiner_.refine(estimateAt(noisy), step.motion, step.observations.scan);
+    const Estimate refined = refiner_.refine(estimateAt(noisy), step.motion, step.observations);
     ASSERT_TRUE(refiner_.match());
     before += distance(noisy, step.T_map_base);
     after += distance(refined.T_map_base, step.T_map_base);
@@ -54,21 +53,20 @@ TEST_F(Refining, KnowsMoreFromManyScansThanFromOne) {
   double first = 0.0, last = 0.0;
   for (int i = 0; i < 10; ++i) {
     const ToyStep& step = drive_.front();
-    const Estimate refined =
-        refiner_.refine(estimateAt(step.T_map_base), {}, step.observations.scan);
+    const Estimate refined = refiner_.refine(estimateAt(step.T_map_base), {}, step.observations);
     if (i == 0) first = refined.covariance.trace();
     last = refined.covariance.trace();
   }
   EXPECT_LT(last, first);
   refiner_.reset();
   const ToyStep& step = drive_.front();
-  const Estimate anew = refiner_.refine(estimateAt(step.T_map_base), {}, step.observations.scan);
+  const Estimate anew = refiner_.refine(estimateAt(step.T_map_base), {}, step.observations);
   EXPECT_NEAR(anew.covariance.trace(), first, 1e-12);
 }
 
 TEST_F(Refining, LeavesAWideCloudAlone) {
   const Estimate wide = estimateAt(drive_.front().T_map_base, 0.2);
-  const Estimate same = refiner_.refine(wide, {}, drive_.front().observations.scan);
+  const Estimate same = refiner_.refine(wide, {}, drive_.front().observations);
   EXPECT_EQ(same.T_map_base.x, wide.T_map_base.x);
   EXPECT_EQ(same.covariance, wide.covariance);
   EXPECT_FALSE(refiner_.match());
@@ -77,9 +75,9 @@ TEST_F(Refining, LeavesAWideCloudAlone) {
 TEST_F(Refining, GoesWhereTheFilterGoes) {
   const ToyStep& here = drive_.front();
   const ToyStep& there = drive_[30];
-  refiner_.refine(estimateAt(here.T_map_base), {}, here.observations.scan);
+  refiner_.refine(estimateAt(here.T_map_base), {}, here.observations);
   const Pose2 rough = shifted(there.T_map_base, 0.03, -0.02, 0.01);
-  const Estimate refined = refiner_.refine(estimateAt(rough), {}, there.observations.scan);
+  const Estimate refined = refiner_.refine(estimateAt(rough), {}, there.observations);
   EXPECT_TRUE(refiner_.match()->isGood());
   EXPECT_LT(distance(refined.T_map_base, there.T_map_base), 0.015);
 }
@@ -87,7 +85,7 @@ TEST_F(Refining, GoesWhereTheFilterGoes) {
 TEST_F(Refining, DoesNotLeaveThePlaceThatAFilterIsSureOf) {
   const ToyStep& step = drive_.front();
   const Estimate off = estimateAt(shifted(step.T_map_base, 0.25, 0.0, 0.0), 0.01);
-  const Estimate kept = refiner_.refine(off, {}, step.observations.scan);
+  const Estimate kept = refiner_.refine(off, {}, step.observations);
   EXPECT_EQ(refiner_.match()->fault, MatchFault::kJump);
   EXPECT_EQ(kept.T_map_base.x, off.T_map_base.x);
   EXPECT_EQ(kept.covariance, off.covariance);
@@ -96,7 +94,7 @@ TEST_F(Refining, DoesNotLeaveThePlaceThatAFilterIsSureOf) {
 TEST_F(Refining, LeavesAnEstimateAsItIsWhereTheScanIsOfNoUse) {
   Observations blind;
   const Estimate estimate = estimateAt(drive_.front().T_map_base);
-  const Estimate same = refiner_.refine(estimate, {}, blind.scan);
+  const Estimate same = refiner_.refine(estimate, {}, blind);
   EXPECT_EQ(refiner_.match()->fault, MatchFault::kFewHits);
   EXPECT_EQ(same.T_map_base.x, estimate.T_map_base.x);
 }

@@ -15,8 +15,8 @@ const Pose2 kTruth{2.0, 3.0, -0.5};
 const Pose2 kWrong{8.0, 1.0, 2.0};
 constexpr double kUsual = 0.02;  // m
 
-Scan scanAt(const Pose2& pose) {
-  return ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(asymmetricWorld(), pose).scan;
+Observations seenAt(const Pose2& pose) {
+  return ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(asymmetricWorld(), pose);
 }
 
 double massOf(const Hypotheses& hypotheses, const Pose2& pose) {
@@ -30,7 +30,7 @@ TEST(Hypotheses, APlaceThatDoesNotFitIsRuledOut) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kWrong, 0.0);
-  hypotheses.weigh(scanAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
   hypotheses.prune();
   EXPECT_FALSE(hypotheses.knows(kWrong));
   ASSERT_EQ(hypotheses.modes().size(), 1U);
@@ -44,7 +44,7 @@ TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.add(kTruth, 0.0);
     hypotheses.add(kWrong, 0.0);
-    hypotheses.weigh(scanAt(kTruth), 1.0, usual);
+    hypotheses.weigh(seenAt(kTruth), 1.0, usual);
     EXPECT_LE(massOf(hypotheses, kTruth), before);
     before = massOf(hypotheses, kTruth);
   }
@@ -56,9 +56,9 @@ TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kWrong, 0.0);
-  Scan scan = scanAt(kTruth);
-  scan.range.head(40) *= 0.5F;
-  hypotheses.weigh(scan, 1.0, kUsual);
+  Observations seen = seenAt(kTruth);
+  seen.scan.range.head(40) *= 0.5F;
+  hypotheses.weigh(seen, 1.0, kUsual);
   EXPECT_GT(hypotheses.leastError(), 0.1);
   EXPECT_GT(massOf(hypotheses, kWrong), std::exp(-1.0) / (1.0 + std::exp(-1.0)) - 1e-9);
 }
@@ -70,7 +70,7 @@ TEST(Hypotheses, OddsEarnedBeforeCount) {
   hypotheses.add(here, 3.0);
   hypotheses.add(twin, 0.0);
   const auto seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), twin);
-  for (int i = 0; i < 5; ++i) hypotheses.weigh(seen.scan, 1.0, kUsual);
+  for (int i = 0; i < 5; ++i) hypotheses.weigh(seen, 1.0, kUsual);
   EXPECT_NEAR(std::log(massOf(hypotheses, here) / massOf(hypotheses, twin)), 3.0, 0.01);
 }
 
@@ -86,9 +86,9 @@ TEST(Hypotheses, AScanThatIsNotNewSaysNothingMore) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kTruth * Pose2{0.8, 0.0, 0.0}, 2.0);
-  hypotheses.weigh(scanAt(kTruth), 1.0, 0.3);
+  hypotheses.weigh(seenAt(kTruth), 1.0, 0.3);
   const double mass = massOf(hypotheses, kTruth);
-  for (int i = 0; i < 20; ++i) hypotheses.weigh(scanAt(kTruth), 0.0, 0.3);
+  for (int i = 0; i < 20; ++i) hypotheses.weigh(seenAt(kTruth), 0.0, 0.3);
   EXPECT_DOUBLE_EQ(massOf(hypotheses, kTruth), mass);
 }
 

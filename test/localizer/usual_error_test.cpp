@@ -26,10 +26,10 @@ TEST(UsualError, OfAMapIsLargeWhereWallsAreThick) {
   const auto thin = toyWorld({"......", "######", "......"}, 0.05);
   const auto thick = toyWorld({"......", "######", "......"}, 0.05, {}, 6);
   const auto rock = toyWorld({"......", "######", "......"}, 0.05, {}, 60);
-  EXPECT_DOUBLE_EQ(UsualError(*thin).value(), 0.05);
-  EXPECT_NEAR(UsualError(*thick).value(), 0.15, 0.02);  // 0.3 m deep
-  EXPECT_DOUBLE_EQ(UsualError(*rock).value(), 0.2);
-  EXPECT_DOUBLE_EQ(UsualError(*toyWorld({"...", "..."}, 0.05)).value(), 0.05);
+  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*thin)).value(), 0.05);
+  EXPECT_NEAR(UsualError(DistanceField(*thick)).value(), 0.15, 0.02);  // 0.3 m deep
+  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*rock)).value(), 0.2);
+  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*toyWorld({"...", "..."}, 0.05))).value(), 0.05);
 }
 
 }  // namespace adaptive_localization

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "adaptive_localization/observation/heading_prior.hpp"
 #include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 #include "support/pose_matchers.hpp"
@@ -167,6 +168,33 @@ TEST(PoseKalman, RefusesAnObservationThatTellsNothingCertain) {
   EXPECT_FALSE(kalman.correct(seen));
   EXPECT_TRUE(std::isinf(kalman.distanceOf(seen)));
   EXPECT_DOUBLE_EQ(kalman.mean().x, 1.0);
+}
+
+/// A compass that says so.
+Observations heading(double theta, double deviation) {
+  Observations observations;
+  observations.heading = Heading{theta, deviation};
+  return observations;
+}
+
+TEST(PoseKalman, IsCorrectedByOtherSenses) {
+  PoseKalman kalman;
+  kalman.reset({{1.0, 1.0, 0.0}, diagonal(0.01, 0.04)});
+  correctBy(HeadingPrior(), heading(0.2, 0.2), kalman);
+  EXPECT_NEAR(kalman.mean().theta, 0.1, 1e-12);  // as sure as the belief
+  EXPECT_NEAR(kalman.covariance()(2, 2), 0.02, 1e-12);
+  EXPECT_DOUBLE_EQ(kalman.mean().x, 1.0);
+}
+
+TEST(PoseKalman, IsNotCorrectedByOutliersButTellsThem) {
+  const Gaussian2 belief{{1.0, 1.0, 0.0}, diagonal(0.01, 0.01)};
+  PoseKalman kalman;
+  kalman.reset(belief);
+  correctBy(HeadingPrior(), heading(1.0, 0.1), kalman);
+  EXPECT_DOUBLE_EQ(kalman.mean().theta, 0.0);
+  EXPECT_TRUE(areContradicting(HeadingPrior(), heading(1.0, 0.1), belief));
+  EXPECT_FALSE(areContradicting(HeadingPrior(), heading(0.2, 0.1), belief));
+  EXPECT_FALSE(areContradicting(HeadingPrior(), {}, belief));
 }
 
 }  // namespace

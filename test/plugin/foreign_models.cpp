@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models that live in a library of their own: how a robot on tracks moves, how well a scan fits,
-// and who survives.
+// another sense, and who survives.
 #include "adaptive_localization/filters/registries.hpp"
 
 namespace {
@@ -75,6 +75,31 @@ class Inliers : public ObservationModel {
   std::shared_ptr<const DistanceField> field_;
 };
 
+struct GateOptions {
+  double x{100.0};
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("gate_x", x, Range{-100.0, 100.0}, "m", "No robot passes this.");
+  }
+};
+
+/// A gate that is shut: needs nothing observed to know where the robot is not.
+class Gate : public ObservationModel {
+ public:
+  explicit Gate(const GateOptions& options) : options_(options) {}
+
+  double score(const Observations&, const Particles& particles,
+               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override {
+    log_likelihood +=
+        (particles.x > options_.x).select(-20.0, Eigen::ArrayXd::Zero(particles.size()));
+    return 1.0;
+  }
+
+ private:
+  GateOptions options_;
+};
+
 std::vector<Eigen::Index> heaviest(const Eigen::ArrayXd& weights, Eigen::Index count, Rng&) {
   Eigen::Index best = 0;
   weights.maxCoeff(&best);
@@ -95,6 +120,11 @@ extern "C" void adaptive_localization_register_v2(Registries& registries) {
          return std::make_unique<Inliers>(given.read<InlierOptions>(), field);
        },
        describe(InlierOptions{})});
+  registries.senses.add({"gate", "Where a gate is shut.",
+                         [](const Parameters& given, const auto&, const auto&) {
+                           return std::make_unique<Gate>(given.read<GateOptions>());
+                         },
+                         describe(GateOptions{})});
   registries.resamplings.add({"heaviest",
                               "The heaviest particle and nobody else.",
                               [](const Parameters&) -> Resampling { return heaviest; },

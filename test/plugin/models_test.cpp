@@ -88,6 +88,15 @@ TEST(PluginModels, FindTheRobot) {
   EXPECT_THAT(answer.T_map_base, PoseNear(kHere, 0.1, 0.05));
 }
 
+TEST(PluginModels, AreAnotherSense) {
+  Localizer localizer(withModels({{"gate_x", 1.0}}), asymmetricWorld());
+  localizer.reset(at({1.0, 1.0, 0.0}, 0.2));
+  localizer.update({}, Observations{});
+  const Particles& all = localizer.hypotheses();
+  const Eigen::ArrayXd weights = all.log_weight.exp();
+  EXPECT_LT((all.x > 1.0).select(weights, 0.0).sum(), 1e-6 * weights.sum());
+}
+
 TEST(PluginModels, SayWhoSurvives) {
   Localizer localizer(
       withModels({{"resampling_scheme", text("heaviest")}, {"selective_resampling", false}}),
@@ -109,6 +118,7 @@ TEST(PluginModels, HaveOptionsThatAreCheckedAndListed) {
     for (const auto& row : rows) options[row.key] = row;
     EXPECT_EQ(options["skid_steer_gain"].value, OptionValue{1.0});
     EXPECT_EQ(options["inlier_weight"].value, OptionValue{3.0});
+    EXPECT_EQ(options["gate_x"].value, OptionValue{100.0});
     EXPECT_THAT(options["odom_model_type"].choices, Contains("skid_steer"));
     EXPECT_THAT(options["laser_model_type"].choices, AllOf(Contains("inliers"), Contains("beam")));
     EXPECT_THAT(options["resampling_scheme"].choices, Contains("heaviest"));

@@ -13,6 +13,9 @@ struct Models {
   Registry<MotionDescription> motions{"odom_model_type"};
   Registry<ObservationDescription> observations{"laser_model_type"};
   Registry<ResamplingDescription> resamplings{"resampling_scheme"};
+
+  /// Of the senses beside the laser: all are listened to.
+  Registry<ObservationDescription> senses{"sense"};
 };
 
 }  // namespace adaptive_localization

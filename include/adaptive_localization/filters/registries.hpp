@@ -37,7 +37,7 @@ struct Registries : Models {
 };
 
 /// A filter's options and, after one that chooses a model, those of all such models, whichever is
-/// chosen: the names of these are that option's choices.
+/// chosen: the names of these are that option's choices. At last those of the senses.
 std::vector<OptionDescription> optionsOf(const FilterDescription& filter, const Models& models);
 
 /// The same of all filters; each key once.

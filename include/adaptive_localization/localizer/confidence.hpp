@@ -7,6 +7,7 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 
 namespace adaptive_localization {
 
@@ -42,10 +43,12 @@ struct ConfidenceOptions {
 ///     confidence = fit * mass / (1 + (std / converged_std)^2)
 ///
 /// fit is the share of hits within confidence_inlier_distance of an obstacle, stretched from
-/// [low, high] to [0, 1], as a running mean over updates.
+/// [low, high] to [0, 1], as a running mean over updates; another sense that contradicts the
+/// estimate halves it.
 class Confidence {
  public:
-  Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field);
+  Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field,
+             Senses senses = noSenses());
 
   /// Forgets all scans.
   void reset();
@@ -53,7 +56,7 @@ class Confidence {
   /// Goes on from what another one has seen.
   void goOnFrom(const Confidence& other);
 
-  /// Takes note of a scan and the estimate made from it.
+  /// Takes note of observations and the estimate made from them.
   void observe(const Estimate& estimate, const Observations& observations);
 
   /// How well a scan fits the map at a pose, [0, 1]; the scan must have hits.
@@ -63,16 +66,19 @@ class Confidence {
   double latestFit() const { return latest_fit_; }        // of the newest scan alone
   int contradictions() const { return contradictions_; }  // scans in a row with hardly any fit
   double fit() const { return fit_ < 0.0 ? 0.0 : fit_; }  // [0, 1]
+  bool isGainsaid() const { return is_gainsaid_; }        // by another sense than the laser
   bool isCompact() const { return compact_; }             // the heaviest mode is one place
   bool isAmbiguous() const { return ambiguous_; }         // a second mode is nearly as heavy
 
  private:
   ConfidenceOptions options_;
   std::shared_ptr<const DistanceField> field_;
+  Senses senses_;
   double fit_{-1.0};  // none yet
   double latest_fit_{0.0};
   int contradictions_{0};
   double value_{0.0};
+  bool is_gainsaid_{false};
   bool compact_{false};
   bool ambiguous_{false};
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
 
 namespace adaptive_localization {
@@ -22,10 +22,14 @@ namespace adaptive_localization {
 /// seen decides between them.
 class Hypotheses {
  public:
-  explicit Hypotheses(Ground ground) : ground_(std::move(ground)) {}
+  explicit Hypotheses(Ground ground, Senses senses = noSenses())
+      : ground_(std::move(ground)), senses_(std::move(senses)) {}
 
-  /// Goes on with another map.
-  void standOn(Ground ground) { ground_ = std::move(ground); }
+  /// Goes on with another map and other models.
+  void standOn(Ground ground, Senses senses) {
+    ground_ = std::move(ground);
+    senses_ = std::move(senses);
+  }
 
   void clear() { all_.clear(); }
   bool isEmpty() const { return all_.empty(); }
@@ -43,8 +47,8 @@ class Hypotheses {
 
   void ride(const Pose2& motion);
 
-  /// Aligns all with a scan and takes note of what it says of them.
-  void weigh(const Scan& scan, double share, double usual);
+  /// Aligns all with a scan and takes note of what it and the other senses say of them.
+  void weigh(const Observations& observations, double share, double usual);
 
   /// Leaves out those that became one with a likelier one, and those too unlikely.
   void prune();
@@ -60,7 +64,11 @@ class Hypotheses {
     bool is_new{true};  // not judged yet: a scan counts in full
   };
 
+  /// Of each, by the senses other than the laser.
+  Eigen::ArrayXd scores(const Observations& observations) const;
+
   Ground ground_;
+  Senses senses_;
   double least_error_{0.0};
   std::vector<Hypothesis> all_;
 };

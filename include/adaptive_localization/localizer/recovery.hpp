@@ -28,7 +28,7 @@ namespace adaptive_localization {
 /// once the odds rule out its place; "tracking" is said when no other place is left.
 class Recovery {
  public:
-  Recovery(const ConfidenceOptions& options, Ground ground);
+  Recovery(const ConfidenceOptions& options, Ground ground, Senses senses = noSenses());
 
   /// Starts anew from a prior.
   void reset(const Prior& prior);
@@ -65,9 +65,12 @@ class Recovery {
 
   Status status() const { return status_; }
   const Confidence& fit() const { return confidence_; }
+  const Senses& senses() const { return senses_; }
 
   /// That the robot is at the core's place, [0, 1].
-  double confidence(const Pose2& T_map_base) const;
+  double confidence(const Pose2& T_map_base) const {
+    return confidence_.value() * shareOf(T_map_base);
+  }
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
@@ -83,6 +86,7 @@ class Recovery {
   bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
 
   Ground ground_;
+  Senses senses_;
   RangeError range_error_;
   Confidence confidence_;
   UsualError usual_;

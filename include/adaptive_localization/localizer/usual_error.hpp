@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
 
 namespace adaptive_localization {
 
@@ -14,7 +14,7 @@ class UsualError {
  public:
   /// What a map lets expect before anything was seen: half the depth of its walls, as far as that
   /// is more than the cell in which a beam ends. Walls that were mapped inexactly are thick.
-  explicit UsualError(const OccupancyGrid& map);
+  explicit UsualError(const DistanceField& field);
 
   explicit UsualError(double value = 0.05) : value_(value) {}
 

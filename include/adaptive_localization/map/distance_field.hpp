@@ -11,7 +11,7 @@ namespace adaptive_localization {
 
 /// Euclidean distance from each cell's centre to the centre of the nearest cell of a wall, exact
 /// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
-/// down to 0.35 m below their faces: where a map was made inexactly they are thick, and a laser
+/// down to kWallDepth below their faces: where a map was made inexactly they are thick, and a laser
 /// sees what is in their middle. Deeper is no wall: all of a scan would fit into the rock around a
 /// small room. Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a map without
 /// obstacles is saturated everywhere.
@@ -31,6 +31,9 @@ class DistanceField {
   /// The same between the four centres around a point, so that it does not jump where cells meet.
   double between(const Eigen::Vector2d& point_map) const;
 
+  /// Mean depth of the map's walls, m.
+  double wallDepth() const { return wall_depth_; }
+
   /// The stored steps, row-major, and how many metres one is.
   const std::vector<std::uint16_t>& steps() const { return steps_; }
   double metresPerStep() const { return step_; }
@@ -41,6 +44,7 @@ class DistanceField {
 
   Lattice lattice_;
   double step_;
+  double wall_depth_;
   std::vector<std::uint16_t> steps_;
 };
 

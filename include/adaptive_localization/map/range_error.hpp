@@ -5,6 +5,7 @@
 
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
+#include "adaptive_localization/map/wall_depth.hpp"
 
 namespace adaptive_localization {
 
@@ -20,7 +21,6 @@ namespace adaptive_localization {
 class RangeError {
  public:
   static constexpr double kTruncation = 0.5;  // m; an error beyond tells no more
-  static constexpr double kWallDepth = 0.35;  // m
 
   struct Fit {
     double error{kTruncation};  // mean per beam, m; the truncation for a scan without beams

@@ -5,6 +5,10 @@
 
 namespace adaptive_localization {
 
+/// How far below its face a wall may be one, m: solid walls of plans end there, maps that were made
+/// inexactly have hardly any that is deeper.
+constexpr double kWallDepth = 0.35;
+
 /// Mean depth of a map's walls, m, from the occupied cells and those of them at a face; 0 without
 /// any. Walls two cells deep and thinner count as two: a laser saw their faces.
 double wallDepth(const OccupancyGrid& map);

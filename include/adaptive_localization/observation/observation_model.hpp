@@ -10,6 +10,7 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/particles.hpp"
+#include "adaptive_localization/core/pose_observation.hpp"
 #include "adaptive_localization/core/registry.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
@@ -72,6 +73,13 @@ class ObservationModel {
   /// that does not depend on how many were used. Without a hit it adds nothing and returns 0.
   virtual double score(const Observations& observations, const Particles& particles,
                        Eigen::Ref<Eigen::ArrayXd> log_likelihood) const = 0;
+
+  /// What the observations say of the pose near one, to first order, for Kalman filters; nothing
+  /// where a model cannot tell. Scans have their matchers for that.
+  virtual std::vector<PoseObservation> linearized(const Observations& /*observations*/,
+                                                  const Pose2& /*T_map_base*/) const {
+    return {};
+  }
 };
 
 /// An observation model as it is registered.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/observation/composed_model.hpp"
+
+namespace adaptive_localization {
+
+double ComposedModel::score(const Observations& observations, const Particles& particles,
+                            Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
+  double independent = 0.0;
+  for (const auto& part : parts_) {
+    independent += part->score(observations, particles, log_likelihood);
+  }
+  return independent;
+}
+
+std::vector<PoseObservation> ComposedModel::linearized(const Observations& observations,
+                                                       const Pose2& T_map_base) const {
+  std::vector<PoseObservation> all;
+  for (const auto& part : parts_) {
+    for (PoseObservation& seen : part->linearized(observations, T_map_base)) {
+      all.push_back(std::move(seen));
+    }
+  }
+  return all;
+}
+
+std::unique_ptr<ComposedModel> makeSenses(const Registry<ObservationDescription>& senses,
+                                          const Parameters& given,
+                                          const std::shared_ptr<const OccupancyGrid>& map,
+                                          const std::shared_ptr<const DistanceField>& field) {
+  auto all = std::make_unique<ComposedModel>();
+  for (const auto& name : senses.names()) all->add(senses.make(name, given, map, field));
+  return all;
+}
+
+}  // namespace adaptive_localization

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What another sense than the laser tells reaches every core, Recovery and confidence.
+#include <gtest/gtest.h>
+
+#include "adaptive_localization/localizer/localizer.hpp"
+#include "support/pose_matchers.hpp"
+#include "support/toy_parameters.hpp"
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Half a turn about the middle of symmetricWorld().
+Pose2 twinOf(const Pose2& pose) {
+  return {6.0 - pose.x, 3.0 - pose.y, wrapAngle(pose.theta + kPi)};
+}
+
+class EveryCore : public testing::TestWithParam<std::string> {
+ protected:
+  /// Drives some steps from `truth` on, with a compass that is off by so much.
+  Localization drive(Localizer& localizer, Pose2& truth, int steps, double compass_error) {
+    Localization answer;
+    for (int i = 0; i < steps; ++i) {
+      const Pose2 motion{0.1, 0.0, 0.0};
+      truth = truth * motion;
+      odometry_ = odometry_ * motion;
+      Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(map_, truth);
+      seen.heading = Heading{truth.theta + compass_error, 0.1};
+      answer = localizer.update(odometry_, seen);
+    }
+    return answer;
+  }
+
+  std::shared_ptr<const OccupancyGrid> map_ = symmetricWorld();
+  Localizer localizer_{
+      parametersWith({{"filter", GetParam()}, {"recovery", true}, {"refine", true}}), map_};
+  Pose2 odometry_;
+};
+
+TEST_P(EveryCore, KnowsByACompassWhichEndOfASymmetricRoomItIsIn) {
+  for (const bool is_turned : {false, true}) {
+    Pose2 truth{2.0, 0.8, 0.0};
+    if (is_turned) truth = twinOf(truth);
+    localizer_.reset(Anywhere{});
+    odometry_ = {};
+    const Localization answer = drive(localizer_, truth, 12, 0.05);
+    EXPECT_EQ(answer.status, Status::kTracking);
+    EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
+  }
+}
+
+TEST_P(EveryCore, TrustsItsScansMoreThanADisturbedCompass) {
+  Pose2 truth{1.7, 0.8, 0.0};
+  localizer_.reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  const Localization before = drive(localizer_, truth, 8, 0.0);
+  const Localization answer = drive(localizer_, truth, 10, 1.5);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
+  EXPECT_LT(answer.confidence, 0.7 * before.confidence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cores, EveryCore, testing::ValuesIn(builtins().filters.names()));
+
+}  // namespace
+}  // namespace adaptive_localization
