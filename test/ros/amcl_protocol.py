@@ -42,15 +42,15 @@ class Drive:
     MAX_SPEED, MAX_TURN = 0.8, 1.0  # m/s, rad/s
     REACHED = 0.3  # m
     NOTE_EVERY = 1.0  # s
-    STUCK, BACK = 4.0, 2.0  # s without way, and s backwards then
+    STUCK = 4.0  # s
 
     def __init__(self, route):
         self.route = collections.deque(route)
+        self.reached = None  # the last way-point, or where it started
         self.now = None  # (stamp, x, y, yaw)
         self.notes = []
         self.travelled = 0.0
         self.moved = None  # (stamp, x, y, yaw) when it last was elsewhere
-        self.back_until = 0.0
         self.command = rospy.Publisher("cmd_vel", Twist, queue_size=1)
         self.subscriber = rospy.Subscriber("base_pose_ground_truth", Odometry, self.on_truth)
 
@@ -59,31 +59,28 @@ class Drive:
 
     def on_truth(self, message):
         now = (message.header.stamp.to_sec(),) + planar(message.pose.pose)
+        self.reached = self.reached or now[1:3]
         if self.now:
             self.travelled += math.dist(now[1:3], self.now[1:3])
         if not self.notes or now[0] >= self.notes[-1][0] + self.NOTE_EVERY:
             self.notes.append(now)
         self.now = now
         if self.route and math.dist(self.route[0], now[1:3]) < self.REACHED:
-            self.route.popleft()
+            self.reached = self.route.popleft()
+        if self.route and self.reached != self.route[0] and self.is_stuck(now):
+            self.route.appendleft(self.reached)  # from there the way is free
         self.command.publish(self.steer(now))
 
-    def is_backing(self, now):
+    def is_stuck(self, now):
         """Where this process is slow its commands come late, and the robot may end at a wall."""
-        if now[0] < self.back_until:
-            return True
         if not self.moved or math.dist(self.moved[1:3], now[1:3]) > 0.1 or \
                 abs(wrap(self.moved[3] - now[3])) > 0.2:
             self.moved = now
-        elif now[0] > self.moved[0] + self.STUCK:
-            self.moved, self.back_until = None, now[0] + self.BACK
-        return False
+        return now[0] > self.moved[0] + self.STUCK
 
     def steer(self, now):
         twist = Twist()
-        if self.route and self.is_backing(now):
-            twist.linear.x = -0.3
-        elif self.route:
+        if self.route:
             x, y = self.route[0]
             aside = wrap(math.atan2(y - now[2], x - now[1]) - now[3])
             twist.angular.z = max(-self.MAX_TURN, min(self.MAX_TURN, 2.0 * aside))
