@@ -8,19 +8,19 @@
 #include <stdexcept>
 
 #include "conversions.hpp"
-#include "transform_input.hpp"
+#include "transform_keeper.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-void addTransforms(const BagMessage& message, tf2_ros::Buffer& tf) {
+void addTransforms(const BagMessage& message, TransformKeeper& keeper) {
   const auto transforms = message.as<tf2_msgs::TFMessage>();
   if (!transforms) return;
   for (auto transform : transforms->transforms) {
     for (auto* frame : {&transform.header.frame_id, &transform.child_frame_id}) {
       *frame = withoutLeadingSlash(*frame);
     }
-    addTransform(transform, message.is_fixed, tf);
+    keeper.add(transform, message.is_fixed);
   }
 }
 
@@ -43,11 +43,12 @@ void playBag(BagStream& bag, LocalizationNode& node, const std::function<bool()>
   while (go_on() && !node.hasMap()) queue->callAvailable(ros::WallDuration(0.1));
 
   const ros::WallTime start = ros::WallTime::now();
+  TransformKeeper transforms(node.tf());
   ros::Time stamp;
   while (const auto message = bag.next()) {
     if (!go_on()) return;
     const std::string topic = withoutLeadingSlash(message->topic);
-    if (topic == "tf" || message->is_fixed) addTransforms(*message, node.tf());
+    if (topic == "tf" || message->is_fixed) addTransforms(*message, transforms);
     if (topic == "base_scan" || node.hearsScansOn(topic)) {
       if (const auto scan = message->as<sensor_msgs::LaserScan>()) {
         node.add(boost::make_shared<sensor_msgs::LaserScan>(*scan));

@@ -6,12 +6,9 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 
-namespace adaptive_localization {
+#include "transform_keeper.hpp"
 
-/// Puts a transform into a buffer. One that tf2 throws at, which a stamp at the end of time makes
-/// it do, is left out, with a warning that names its frames.
-void addTransform(const geometry_msgs::TransformStamped& transform, bool fixed,
-                  tf2_ros::Buffer& buffer);
+namespace adaptive_localization {
 
 /// Fills a tf buffer from /tf and /tf_static in a thread of its own, as tf2_ros's
 /// TransformListener does, which ends the process at a transform that tf2 throws at. When the clock
@@ -25,7 +22,7 @@ class TransformInput {
   void onMessage(const tf2_msgs::TFMessage& message, bool fixed);
   void emptyAfterJump();
 
-  tf2_ros::Buffer& buffer_;
+  TransformKeeper transforms_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber moving_;

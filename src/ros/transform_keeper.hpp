@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/time.h>
+#include <tf2/buffer_core.h>
+
+#include <map>
+#include <string>
+
+namespace adaptive_localization {
+
+/// Puts transforms into a tf buffer, whatever they are. One that tf2 throws at, which a stamp at
+/// the end of time makes it do, is left out with a warning that names its frames. One from the
+/// future makes tf2 take those that follow for outdated ones and refuse them, until their stamps
+/// have come near it: once a frame's have gone on so for a second, the buffer is emptied.
+class TransformKeeper {
+ public:
+  explicit TransformKeeper(tf2::BufferCore& buffer) : buffer_(buffer) {}
+
+  void add(const geometry_msgs::TransformStamped& transform, bool fixed);
+
+  /// Forgets all but the fixed ones.
+  void clear();
+
+ private:
+  struct Frame {
+    ros::Time newest;         // that tf2 took
+    ros::Time refused_since;  // zero: it took the last one
+  };
+
+  bool put(const geometry_msgs::TransformStamped& transform, bool fixed);
+  bool isStuck(const std::string& frame, const ros::Time& stamp, bool is_taken);
+
+  tf2::BufferCore& buffer_;
+  std::map<std::string, Frame> frames_;
+};
+
+}  // namespace adaptive_localization

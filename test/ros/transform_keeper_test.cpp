@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/transform_keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace adaptive_localization {
+namespace {
+
+class TransformKeeperTest : public testing::Test {
+ protected:
+  void SetUp() override { ros::Time::init(); }  // the log asks for the time
+
+  void add(double stamp, double x = 0.0) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = "odom";
+    transform.child_frame_id = "base_link";
+    transform.header.stamp = ros::Time(stamp);
+    transform.transform.translation.x = x;
+    transform.transform.rotation.w = 1.0;
+    keeper_.add(transform, false);
+  }
+
+  /// So many, a tenth of a second apart.
+  void addFrom(double stamp, int count) {
+    for (int i = 0; i < count; ++i) add(stamp + 0.1 * i);
+  }
+
+  bool knows(double stamp) const {
+    return buffer_.canTransform("odom", "base_link", ros::Time(stamp));
+  }
+
+  tf2::BufferCore buffer_;
+  TransformKeeper keeper_{buffer_};
+};
+
+TEST_F(TransformKeeperTest, OneFromTheFutureHoldsUpTheOthersForASecond) {
+  addFrom(1000.0, 10);
+  add(4600.0);
+  addFrom(1001.0, 15);
+  EXPECT_TRUE(knows(1002.35));
+  EXPECT_FALSE(knows(4600.0));
+}
+
+TEST_F(TransformKeeperTest, ClocksThatWereSetBackAreFollowed) {
+  addFrom(1000.0, 10);
+  addFrom(900.0, 15);
+  EXPECT_TRUE(knows(901.35));
+}
+
+TEST_F(TransformKeeperTest, OldOnesAmongNewOnesAreIgnored) {
+  for (int i = 0; i < 30; ++i) {
+    add(1000.0 + 0.1 * i);
+    add(900.0 + 0.1 * i);
+  }
+  EXPECT_TRUE(knows(1000.0));
+  EXPECT_TRUE(knows(1002.9));
+}
+
+TEST_F(TransformKeeperTest, WhatIsNoTransformEmptiesNothing) {
+  addFrom(1000.0, 10);
+  for (int i = 10; i < 30; ++i) add(1000.0 + 0.1 * i, std::nan(""));
+  EXPECT_TRUE(knows(1000.0));
+}
+
+TEST_F(TransformKeeperTest, StampAtTheEndOfTimeIsIgnored) {
+  addFrom(1000.0, 10);
+  add(4294967295.0);
+  addFrom(1001.0, 2);
+  EXPECT_TRUE(knows(1001.1));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
