@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace adaptive_localization {
@@ -10,7 +11,10 @@ namespace {
 
 Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& message) {
   const Eigen::Quaterniond rotation(message.w, message.x, message.y, message.z);
-  return rotation.norm() < 1e-6 ? Eigen::Quaterniond::Identity() : rotation.normalized();
+  const double norm = rotation.norm();
+  if (norm < 1e-6) return Eigen::Quaterniond::Identity();
+  if (std::isfinite(norm)) return rotation.normalized();
+  return Eigen::Quaterniond(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& rotation) {
@@ -32,6 +36,16 @@ double yawOf(const geometry_msgs::Quaternion& message) {
                     1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
 }
 
+/// Throws unless the z axis stays upright, or nearly: what is tilted is no map of a floor.
+void checkLevel(const geometry_msgs::Quaternion& message) {
+  constexpr double kMost = 0.1;  // rad
+  const double tilt = std::acos(std::fmin(toQuaternion(message).toRotationMatrix()(2, 2), 1.0));
+  if (tilt > kMost) {
+    throw std::invalid_argument("map origin: got a rotation that tilts it by " +
+                                std::to_string(tilt) + " rad, expected one about z");
+  }
+}
+
 int toSize(std::uint32_t cells, const char* name) {
   if (cells > static_cast<std::uint32_t>(std::numeric_limits<int>::max())) {
     throw std::invalid_argument(std::string("map ") + name + ": got " + std::to_string(cells) +
@@ -49,6 +63,15 @@ std::string withoutLeadingSlash(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
 }
 
+void checkPlace(const std::string& frame, const std::string& parent, double x, double y,
+                double most) {
+  if (std::abs(x) <= most && std::abs(y) <= most) return;
+  std::ostringstream text;
+  text << "tf has '" << frame << "' at (" << x << ", " << y << ") m in '" << parent
+       << "', expected numbers within " << most << " m";
+  throw std::runtime_error(text.str());
+}
+
 LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
   LaserScan scan;
   scan.stamp = message.header.stamp.toSec();
@@ -62,6 +85,7 @@ LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
 }
 
 OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message, bool origin_is_cell_center) {
+  checkLevel(message.info.origin.orientation);
   const auto resolution = static_cast<double>(message.info.resolution);
   const double shift = origin_is_cell_center ? -resolution / 2.0 : 0.0;
   const Lattice lattice(toSize(message.info.width, "width"), toSize(message.info.height, "height"),

@@ -21,6 +21,11 @@ namespace adaptive_localization {
 /// tf2's frames have no leading slash; some drivers still send one.
 std::string withoutLeadingSlash(const std::string& frame);
 
+/// Throws std::runtime_error naming all of these unless a frame is within so many metres of its
+/// parent.
+void checkPlace(const std::string& frame, const std::string& parent, double x, double y,
+                double most);
+
 LaserScan toLaserScan(const sensor_msgs::LaserScan& message);
 
 /// Throws std::invalid_argument for a size, resolution or origin that makes no map.

@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptive_localization/core/options.hpp"
@@ -13,10 +14,14 @@ namespace {
 
 /// Within the ranges of initial_pose_* and initial_cov_*: it is kept there for the next start.
 bool isUsable(const Gaussian2& prior) {
+  constexpr double kRounded = 1.001;
   const Eigen::Array3d variances = prior.covariance.diagonal();
+  const double most_xy = kRounded * std::sqrt(variances[0] * variances[1]);
+  const double xy = std::max(std::abs(prior.covariance(0, 1)), std::abs(prior.covariance(1, 0)));
   return isFinite(prior.mean) && std::abs(prior.mean.x) <= kCoordinate.high &&
          std::abs(prior.mean.y) <= kCoordinate.high && prior.covariance.allFinite() &&
-         variances.minCoeff() >= kVariance.low && variances.maxCoeff() <= kVariance.high;
+         variances.minCoeff() >= kVariance.low && variances.maxCoeff() <= kVariance.high &&
+         xy <= most_xy;
 }
 
 }  // namespace
@@ -34,11 +39,18 @@ std::optional<Gaussian2> readInitialPose(const geometry_msgs::PoseWithCovariance
   Gaussian2 prior = toGaussian(message.pose);
   if (!isUsable(prior)) {
     ROS_WARN(
-        "Initial pose ignored: got (%g, %g) m with variances %g, %g, %g, expected numbers within "
-        "%g m and variances from %g to %g",
-        prior.mean.x, prior.mean.y, prior.covariance(0, 0), prior.covariance(1, 1),
-        prior.covariance(2, 2), kCoordinate.high, kVariance.low, kVariance.high);
+        "Initial pose ignored: got (%g, %g) m, %g rad with variances %g, %g, %g and a covariance "
+        "of "
+        "x and y of %g and %g, expected numbers within %g m, variances from %g to %g and a "
+        "covariance that they allow",
+        prior.mean.x, prior.mean.y, prior.mean.theta, prior.covariance(0, 0),
+        prior.covariance(1, 1), prior.covariance(2, 2), prior.covariance(0, 1),
+        prior.covariance(1, 0), kCoordinate.high, kVariance.low, kVariance.high);
     return std::nullopt;
+  }
+  const auto& q = message.pose.pose.orientation;
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) {
+    ROS_WARN("The initial pose has no orientation, its heading is taken as 0");
   }
   std::string why;
   if (const auto motion = odometry.motionSince(message.header.stamp, &why)) {

@@ -13,6 +13,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kMostReach = 100.0;  // m, of a robot
+
 std::string readDescription(const ros::NodeHandle& node) {
   std::string key, urdf;
   if (node.searchParam("robot_description", key)) node.getParam(key, urdf);
@@ -97,6 +99,7 @@ std::optional<LaserMount> LaserMounts::at(const std::string& frame, const ros::T
     const bool then = tf_.canTransform(base_frame_, frame, stamp);
     LaserMount mount =
         toMount(tf_.lookupTransform(base_frame_, frame, then ? stamp : ros::Time(0)).transform);
+    checkPlace(frame, base_frame_, mount.position.x(), mount.position.y(), kMostReach);
     const auto laser = lasers_.find(frame);
     if (laser != lasers_.end()) mount.view = laser->second.view;
     return mount;

@@ -37,6 +37,33 @@ TEST(Conversions, NotFiniteQuaternionShowsInThePose) {
   EXPECT_FALSE(isFinite(toPose2(message)));
 }
 
+TEST(Conversions, QuaternionTooLongToMeasureIsNotFinite) {
+  geometry_msgs::Pose message;
+  message.orientation.z = message.orientation.w = 1e300;
+  EXPECT_FALSE(isFinite(toPose2(message)));
+}
+
+TEST(Conversions, MapThatIsTiltedIsRefused) {
+  nav_msgs::OccupancyGrid message;
+  message.info.width = message.info.height = 1;
+  message.info.resolution = 0.05F;
+  message.data = {0};
+  message.info.origin.orientation.w = 1.0;
+  EXPECT_NO_THROW(toGrid(message));
+  message.info.origin.orientation.x = 0.05;  // 6 degrees: of a map that was fitted to a floor
+  EXPECT_NO_THROW(toGrid(message));
+  message.info.origin.orientation.x = 1.0;
+  EXPECT_THROW(toGrid(message), std::invalid_argument);
+}
+
+TEST(Conversions, PlacesThatAreNoneAreNamed) {
+  EXPECT_NO_THROW(checkPlace("laser", "base", -5.0, 100.0, 100.0));
+  for (const double x : {1e30, -101.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(checkPlace("laser", "base", x, 0.0, 100.0), std::runtime_error);
+    EXPECT_THROW(checkPlace("laser", "base", 0.0, x, 100.0), std::runtime_error);
+  }
+}
+
 TEST(Conversions, OneLeadingSlashIsTaken) {
   EXPECT_EQ(withoutLeadingSlash("/map"), "map");
   EXPECT_EQ(withoutLeadingSlash("map"), "map");
