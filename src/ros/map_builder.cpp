@@ -14,6 +14,7 @@ namespace adaptive_localization {
 namespace {
 
 const ros::WallDuration kPollPeriod(0.02);
+const ros::WallDuration kSayAgain(10.0);
 
 // What is made of a map takes so much, measured; what is unknown lies mostly outside of all walls.
 constexpr double kBytesPerCell = 8.0;
@@ -110,8 +111,13 @@ bool MapBuilder::use(const Outcome<Ground>& map) {
   return true;
 }
 
-bool MapBuilder::refuse(const std::string& why) const {
-  ROS_ERROR_THROTTLE(10.0, "Map not used: %s", why.c_str());
+/// A map may be sent again and again; why it is refused is said now and then.
+bool MapBuilder::refuse(const std::string& why) {
+  const auto now = ros::WallTime::now();
+  if (why == refusal_ && now - refused_ < kSayAgain) return false;
+  refusal_ = why;
+  refused_ = now;
+  ROS_ERROR("Map not used: %s", why.c_str());
   return false;
 }
 

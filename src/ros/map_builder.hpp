@@ -30,7 +30,7 @@ class MapBuilder {
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;
   bool use(const Outcome<Ground>& map);
-  bool refuse(const std::string& why) const;
+  bool refuse(const std::string& why);
   void giveUp();
   void start(Grid grid);
   void poll();
@@ -40,6 +40,8 @@ class MapBuilder {
   Background<Ground> running_;
   bool is_wanted_{false};  // what is running
   Grid next_;              // came while another was being built
+  std::string refusal_;    // said last
+  ros::WallTime refused_;  // when
   ros::WallTimer timer_;
 };
 

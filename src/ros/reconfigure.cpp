@@ -21,10 +21,21 @@ double numberOf(const OptionValue& value) {
   return whole ? *whole : std::get<double>(value);
 }
 
+/// Other text is no name in ROS, and the parameter server does not take it.
+void checkText(const std::string& key, const OptionValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
+  if (text && !std::all_of(text->begin(), text->end(), is_plain)) {
+    throw std::invalid_argument("field '" + key + "': got '" + *text +
+                                "', expected printable characters of ASCII alone");
+  }
+}
+
 /// The nearest value that an option takes, of its type. Throws std::invalid_argument if none is.
 OptionValue nearestFor(const OptionDescription& field, const OptionValue& value) {
   const bool whole = std::holds_alternative<int>(field.value);
   if (!isNumber(field.value)) {
+    checkText(field.key, value);
     if (field.value.index() == value.index()) return value;
   } else if (isNumber(value) && !std::isnan(numberOf(value))) {
     const double most = whole ? std::numeric_limits<int>::max() : field.range.high;
