@@ -24,11 +24,22 @@ void addTransforms(const BagMessage& message, TransformKeeper& keeper) {
   }
 }
 
-void report(const LocalizationNode& node, const ros::Time& stamp, double seconds) {
+std::string scanTopics(BagStream& bag) {
+  std::string topics;
+  for (const auto& [topic, type] : bag.types()) {
+    if (type == ros::message_traits::DataType<sensor_msgs::LaserScan>::value())
+      topics += (topics.empty() ? "" : ", ") + topic;
+  }
+  return topics.empty() ? "no topic" : topics;
+}
+
+void report(const LocalizationNode& node, BagStream& bag, const ros::Time& stamp, double seconds) {
   ROS_INFO("Bag complete, took %.1f seconds to process, shutting down", seconds);
   const auto& answer = node.answer();
   if (!answer || answer->status == Status::kUninitialised) {
-    ROS_WARN("No pose was found in the bag");
+    const std::string missing = node.missing();
+    ROS_WARN("No pose was found in the bag, whose scans are on %s%s", scanTopics(bag).c_str(),
+             missing.empty() ? "" : ("; waited for " + missing).c_str());
     return;
   }
   ROS_INFO("Final location %.3f, %.3f, %.3f with stamp=%f", answer->T_map_base.x,
@@ -59,7 +70,7 @@ void playBag(BagStream& bag, LocalizationNode& node, const std::function<bool()>
   }
   if (!bag.whyStopped().empty())
     throw std::invalid_argument("cannot be read on: " + bag.whyStopped());
-  report(node, stamp, (ros::WallTime::now() - start).toSec());
+  report(node, bag, stamp, (ros::WallTime::now() - start).toSec());
 }
 
 }  // namespace adaptive_localization

@@ -43,6 +43,7 @@ class LocalizationNode {
   void add(const sensor_msgs::LaserScan::ConstPtr& scan) { scans_.add(scan); }
   void localizeAnywhere() { start(Anywhere{}); }
   const std::optional<Localization>& answer() const { return answer_; }
+  std::string missing() const { return health().missing; }
 
  private:
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;

@@ -77,6 +77,21 @@ class RunFromBag(unittest.TestCase):
     def test_bag_from_anywhere(self):
         self.check_final_location("/", "scan", "--global-localization", initial=(7.0, 2.0, 3.0))
 
+    def test_bag_without_a_pose_says_what_it_lacks(self):
+        maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        maps.publish(room())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "drive.bag")
+            self.write_bag(path, "/", "laser/scan")
+            code, output = self.run_node("--run-from-bag", path, "_use_map_topic:=true")
+            self.assertIn("No pose was found in the bag, whose scans are on /laser/scan; "
+                          "waited for a scan on /scan", output)
+            self.write_bag(path, "/robot/", "scan")
+            code, output = self.run_node("--run-from-bag", path, "_use_map_topic:=true",
+                                         "scan:=robot/scan")
+            self.assertIn("waited for a transform from 'laser' to 'base_link'", output)
+        self.assertEqual(code, 0, output)
+
     def test_missing_bag_is_one_fatal_line(self):
         code, output = self.run_node("--run-from-bag", "/no/such.bag")
         self.assertEqual(code, 1)
