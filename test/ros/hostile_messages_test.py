@@ -35,11 +35,20 @@ class RawGrid(rospy.AnyMsg):
 
 
 class HostileMessages(ToyRobotCase):
+    reached = None  # by the tests before: time, pose and odometry go on
+
     def setUp(self):
         super().setUp()
+        self.subscribers.pop(0).unregister()  # our own tf would end the test
+        if self.reached:
+            self.time, self.pose, self.odometry = self.reached
         self.localize()
         self.steps(5, (0.05, 0.0, 0.1))
         self.check()
+
+    def tearDown(self):
+        type(self).reached = self.time, self.pose, self.odometry
+        super().tearDown()
 
     def check(self):
         """The node lives and knows where the robot is."""
@@ -51,9 +60,10 @@ class HostileMessages(ToyRobotCase):
         for stamp in [LAST, LAST - rospy.Duration(5), rospy.Time(2**32 - 100)]:
             self.broadcaster.sendTransform(transform("odom", "base_link", self.odometry, stamp))
             self.broadcaster.sendTransform(transform("base_link", "laser", self.MOUNT, stamp))
-            self.static_broadcaster.sendTransform(
-                transform("base_link", "other", self.MOUNT, stamp))
-            self.wait_for_log("from 'other' to 'base_link' ignored: its stamp is out of range")
+            other = transform("base_link", "other", self.MOUNT, stamp)
+            ignored = "from 'other' to 'base_link' ignored: its stamp is out of range"
+            self.wait_for(lambda: self.static_broadcaster.sendTransform(other) or self.logged(
+                ignored), "the transform to be ignored", pause=1.0)  # said now and then
             scan = self.scan_message()
             scan.header.stamp = stamp
             self.logs.clear()
@@ -66,17 +76,62 @@ class HostileMessages(ToyRobotCase):
             self.check()
 
     def test_maps_that_are_none(self):
-        tiny, huge, far = room(), room(), room()
+        tiny, huge, far, tilted = room(), room(), room(), room()
         tiny.info.resolution = 1e-30
         huge.info.resolution = 1e30
         far.info.origin.position.x = 1e300
+        tilted.info.origin.orientation.x = 1.0
         for grid, reason in [(tiny, "resolution: got 1e-30"), (huge, "resolution: got 1e+30"),
-                             (far, "origin: got (1e+300")]:
-            self.logs.clear()
-            self.wait_for(lambda: self.maps.publish(grid) or self.logged("Map not used"),
-                          "the map to be refused", pause=1.0)  # said now and then
-            self.assertIn(reason, self.logged("Map not used")[0])
+                             (far, "origin: got (1e+300"), (tilted, "origin: got a rotation")]:
+            self.maps.publish(grid)
+            self.wait_for_log("Map not used: map " + reason)
             self.check()
+
+    def test_transform_from_the_future(self):
+        ahead = self.time + rospy.Duration(3600)
+        self.broadcaster.sendTransform(transform("odom", "base_link", self.odometry, ahead))
+        for _ in range(15):
+            self.move()
+            self.send_odometry()
+        self.wait_for_log("which came from the future")
+        self.check()
+
+    def test_odometry_beyond_the_world(self):
+        known = self.odometry
+        self.odometry = (1e30, 0.0, 0.0)
+        self.wait_for(lambda: self.move() or self.send() and self.logged("Scan dropped"),
+                      "the scan to be dropped", pause=0.2)
+        self.assertIn("tf has 'base_link' at (1e+30, 0) m in 'odom', expected",
+                      self.logged("Scan dropped")[0])
+        self.odometry = known
+        self.check()
+
+    def test_laser_beyond_the_robot(self):
+        self.static_broadcaster.sendTransform(
+            transform("base_link", "far", (1e300, 0.0, 0.0), rospy.Time.now()))
+        self.wait_for(lambda: self.scans.publish(self.scan_message(frame="far")) or self.logged(
+            "Scan dropped"), "the scan to be dropped", pause=0.2)
+        self.assertIn("tf has 'far' at (1e+300, 0) m in 'base_link', expected",
+                      self.logged("Scan dropped")[0])
+        self.check()
+
+    def test_initial_pose_that_is_none(self):
+        common = initial_pose(*self.pose)
+        common.pose.covariance[1] = common.pose.covariance[6] = 10.0
+        self.initial_poses.publish(common)
+        self.wait_for_log("0.02 and a covariance of x and y of 10 and 10, expected")
+        turned = initial_pose(*self.pose[:2], float("nan"))
+        self.initial_poses.publish(turned)
+        self.wait_for_log("m, nan rad with variances")
+        self.check()
+
+    def test_names_that_are_none(self):
+        for text in ["od\nom", "\u00e9", "odom\0"]:
+            self.logs.clear()
+            answer = self.reconfigure(strs={"odom_frame_id": text})
+            self.assertIn("odom", [s.value for s in answer.strs if s.name == "odom_frame_id"])
+            self.wait_for_log("Options stay as they were: field 'odom_frame_id'")
+        self.check()
 
     def test_a_map_that_does_not_fit_memory(self):
         """The node is left memory for the message, but not for what is made of it."""
@@ -104,7 +159,7 @@ class HostileMessages(ToyRobotCase):
         answer = self.reconfigure(ints={"min_particles": 10000000, "max_particles": 10000000,
                                         "laser_max_beams": 100000})
         sizes = {i.name: i.value for i in answer.ints}
-        self.assertTrue(self.logged("Options stay as they were: "), self.logs)
+        self.wait_for_log("Options stay as they were: ")
         self.assertIn("look-ups", self.logged("Options stay as they were: ")[0])
         self.assertLess(sizes["min_particles"], 1000)
         self.check()
