@@ -29,6 +29,15 @@ void addConsistency(const std::vector<RunStep>& steps, ErrorMetrics& errors) {
   errors.nees_in_band = static_cast<double>(inside) / static_cast<double>(normalized.size());
 }
 
+double headingError(const RunStep& step) {
+  return std::abs(wrapAngle(step.T_map_base.theta - step.T_map_base_reference->theta));
+}
+
+bool isFound(const RunStep& step) {
+  return distance(step.T_map_base, *step.T_map_base_reference) <= kLostDistance &&
+         headingError(step) <= kLostHeading;
+}
+
 std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   std::vector<double> positions, headings;
   std::optional<double> found_at, tracking_at;
@@ -36,13 +45,11 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   int misled = 0;
   for (const auto& step : steps) {
     if (!step.T_map_base_reference) continue;
-    const Pose2& reference = *step.T_map_base_reference;
-    positions.push_back(distance(step.T_map_base, reference));
-    headings.push_back(std::abs(wrapAngle(step.T_map_base.theta - reference.theta)));
-    const bool is_found = positions.back() <= kLostDistance && headings.back() <= kLostHeading;
+    positions.push_back(distance(step.T_map_base, *step.T_map_base_reference));
+    headings.push_back(headingError(step));
     const bool is_tracking = step.status == Status::kTracking;
     if (is_tracking && !tracking_at) tracking_at = step.stamp - steps.front().stamp;
-    if (!is_found) {
+    if (!isFound(step)) {
       ++lost;
       misled += is_tracking ? 1 : 0;
       found_at.reset();
@@ -66,6 +73,35 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   errors.tracking_at_s = tracking_at;
   addConsistency(steps, errors);
   return errors;
+}
+
+/// Counted from the answer before, as what came between is not known.
+double longestMisled(const std::vector<RunStep>& steps) {
+  double longest = 0.0;
+  std::optional<double> since;
+  double before = steps.empty() ? 0.0 : steps.front().stamp;
+  for (const auto& step : steps) {
+    if (!step.T_map_base_reference) continue;
+    if (step.status != Status::kTracking || isFound(step)) {
+      since.reset();
+    } else {
+      if (!since) since = before;
+      longest = std::max(longest, step.stamp - *since);
+    }
+    before = step.stamp;
+  }
+  return longest;
+}
+
+int countJumps(const std::vector<RunStep>& steps) {
+  int jumps = 0;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const RunStep& before = steps[i - 1];
+    const Pose2 expected = before.T_map_base * between(before.T_odom_base, steps[i].T_odom_base);
+    const bool was_somewhere = before.status != Status::kUninitialised;
+    jumps += was_somewhere && distance(expected, steps[i].T_map_base) > kLostDistance;
+  }
+  return jumps;
 }
 
 double pathLength(const std::vector<RunStep>& steps) {
@@ -114,7 +150,9 @@ Metrics measure(const RunRecord& run) {
     metrics.tracking_share = static_cast<double>(tracking) / metrics.updates;
     metrics.nowhere_share = static_cast<double>(nowhere) / metrics.updates;
   }
+  metrics.jumps = countJumps(run.steps);
   metrics.errors = measureErrors(run.steps);
+  if (metrics.errors) metrics.errors->misled_longest_s = longestMisled(run.steps);
   return metrics;
 }
 

@@ -158,6 +158,31 @@ TEST(Metrics, CountsWhereItSaysTrackingAndIsLost) {
   EXPECT_NEAR(*errors.tracking_at_s, 1.0, 1e-12);
 }
 
+TEST(Metrics, KnowsTheLongestTimeOfTrackingThoughLost) {
+  auto steps = std::vector<RunStep>{
+      step(0, 0.0), step(1, 9.0), step(2, 0.0), step(4, 9.0), step(5, 0.0, 30.0 * kDegree),
+      step(9, 9.0), step(20, 9.0)};
+  for (auto& s : steps) s.status = Status::kTracking;
+  steps[6].status = Status::kLost;
+  EXPECT_NEAR(errorsOf(steps).misled_longest_s, 7.0, 1e-12) << "from 2, the last good answer, to 9";
+  EXPECT_DOUBLE_EQ(errorsOf({step(0, 0.0), step(1, 0.0)}).misled_longest_s, 0.0);
+}
+
+TEST(Metrics, CountsWhereTheEstimateLeavesTheOdometry) {
+  RunRecord run;
+  for (int i = 0; i < 6; ++i) {
+    run.steps.push_back(step(i, 0.0));
+    run.steps.back().T_odom_base = {0.0, static_cast<double>(i), -0.5 * kPi};
+    run.steps.back().T_map_base = {static_cast<double>(i), 0.0, kPi};
+    run.steps.back().status = Status::kTracking;
+  }
+  EXPECT_EQ(measure(run).jumps, 0) << "frames of their own are no jumps";
+  for (std::size_t i = 2; i < 6; ++i) run.steps[i].T_map_base.y += i < 4 ? 0.6 : 0.4;
+  EXPECT_EQ(measure(run).jumps, 1) << "0.2 m is none";
+  run.steps[1].status = Status::kUninitialised;
+  EXPECT_EQ(measure(run).jumps, 0);
+}
+
 TEST(Metrics, HasNoErrorsWithoutReference) {
   RunRecord run;
   run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};

@@ -29,6 +29,7 @@ struct ErrorMetrics {
   std::optional<double> nees_mean, nees_median, nees_in_band;
   double lost_share{0.0};               // of the scans with a reference
   double misled_share{0.0};             // lost and said "tracking", of the same
+  double misled_longest_s{0.0};         // the longest time of that
   std::optional<double> tracking_at_s;  // after the first scan; when it first said "tracking"
 };
 
@@ -45,6 +46,7 @@ struct Metrics {
   double update_cpu_ms_median{0.0}, update_cpu_ms_mean{0.0};             // the same, processor time
   double particles_mean{0.0};
   int particles_max{0};
+  int jumps{0};  // how often the estimate left the odometry by more than kLostDistance
   double confidence_mean{0.0};
   std::optional<ErrorMetrics> errors;  // none without a reference
   double tracking_share{0.0};          // of the updates
