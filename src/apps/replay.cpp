@@ -95,17 +95,22 @@ void search(const ReplayCommand& command, const Localizer& localizer, const Log&
 void checkFit(const ReplayCommand& command, const Metrics& metrics) {
   if (!isMisfit(metrics) || command.allows_misfit) return;
   std::ostringstream text;
-  text << "the scans do not fit the map '" << command.map << "': no place explains "
-       << std::lround(100.0 * metrics.nowhere_share)
+  text << "the scans do not fit the map '" << command.map << "'"
+       << (command.spoils.empty() ? "" : ", spoiled by " + toText(command.spoils))
+       << ": no place explains " << std::lround(100.0 * metrics.nowhere_share)
        << " % of those that were looked at; is it the map of this building, is the robot on it, is "
           "the laser's mount right? --allow-misfit takes that as it is";
   throw std::runtime_error(text.str());
 }
 
 void replay(const ReplayCommand& command) {
-  const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
+  OccupancyGrid good_map = loadMap(command.map);
+  const auto spoil_seed = static_cast<std::uint64_t>(
+      command.spoil_seed.value_or(command.parameters.read<LocalizerOptions>().seed));
+  const auto map =
+      std::make_shared<const OccupancyGrid>(spoil(std::move(good_map), command.spoils, spoil_seed));
   Localizer localizer(command.parameters, map);
-  Log log = readLog(command);
+  Log log = spoil(readLog(command), command.spoils, spoil_seed);
   const Prior prior = startPrior(command.start, command.parameters.read<StartOptions>(), log);
   checkStart(command.start, prior, *map);
   warn(log.warnings);
@@ -123,7 +128,7 @@ void replay(const ReplayCommand& command) {
   const Metrics metrics = measure(run);
   writeResults(command,
                {command.log.file, command.map, options.filter, options.seed, options.threads,
-                startText(command.start, prior)},
+                startText(command.start, prior), toText(command.spoils), spoil_seed},
                *map, run, metrics);
   checkFit(command, metrics);
 }

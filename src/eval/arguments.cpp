@@ -14,6 +14,13 @@ bool isOption(const std::string& argument) {
   return argument.compare(0, 2, "--") == 0;
 }
 
+int toWhole(const std::string& name, const std::string& text, const Range& range,
+            const std::string& expected) {
+  const double number = toNumber(name, text, range, expected);
+  if (number == std::floor(number)) return static_cast<int>(number);
+  throw std::invalid_argument(name + ": got '" + text + "', expected " + expected);
+}
+
 }  // namespace
 
 void ArgumentParser::flag(const std::string& name, bool& target) {
@@ -76,9 +83,11 @@ int toCount(const std::string& name, const std::string& text, int most,
             const std::string& expected) {
   const std::string what =
       expected.empty() ? "a whole number from 1 to " + std::to_string(most) : expected;
-  const double number = toNumber(name, text, {1.0, static_cast<double>(most)}, what);
-  if (number == std::floor(number)) return static_cast<int>(number);
-  throw std::invalid_argument(name + ": got '" + text + "', expected " + what);
+  return toWhole(name, text, {1.0, static_cast<double>(most)}, what);
+}
+
+int toSeed(const std::string& name, const std::string& text) {
+  return toWhole(name, text, kWhole, "a whole number from 0");
 }
 
 }  // namespace adaptive_localization

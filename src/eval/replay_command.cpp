@@ -61,6 +61,9 @@ ArgumentParser makeParser(ReplayCommand& command, GivenParameters& given) {
   parser.option("--search", [&](const auto& v) {
     command.search = toCount("--search", v, 1000000000, "a whole number from 1");
   });
+  parser.list("--spoil", [&](const auto& v) { command.spoils.push_back(parseSpoil(v)); });
+  parser.option("--spoil-seed",
+                [&](const auto& v) { command.spoil_seed = toSeed("--spoil-seed", v); });
   parser.text("--scan-topic", command.log.scan_topic);
   parser.text("--odom-topic", command.log.odom_topic);
   parser.text("--truth-topic", command.log.truth_topic);
@@ -91,6 +94,10 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --seed N, --threads N   of the filter
   --search N              no filter: N scans, spread over the log, are each looked for in the whole
                           map, and the answers compared with the reference
+  --spoil KIND[:AMOUNT] ...
+                          make map, odometry or scans poor first, in this order; the reference
+                          stays as it is. The kinds are below
+  --spoil-seed N          of what is random in that; otherwise the run's seed
   --scan-topic T          laser scans; needed only if the bag has several such topics
   --odom-topic T          odometry from this topic rather than from /tf
   --truth-topic T         reference poses from the bag
@@ -101,7 +108,9 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --allow-misfit          end with 0 though the scans do not fit the map: it is another one, say
   --quiet                 print nothing but warnings and errors
   --help                  print this
-)";
+
+Kinds of damage, with their usual amounts:
+)" + describeKinds(damageKinds());
 }
 
 ReplayCommand parseReplayCommand(const std::vector<std::string>& arguments) {

@@ -20,6 +20,8 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["map"] = description.map;
   json["filter"] = description.filter;
   json["start"] = description.start;
+  json["spoil"] = description.spoil;
+  json["spoil_seed"] = description.spoil_seed;
   json["seed"] = description.seed;
   json["threads"] = description.threads;
   json["scans"] = metrics.scans;
@@ -46,10 +48,12 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["converged_at_s"] = error(&ErrorMetrics::converged_at_s);
   json["lost_share"] = error(&ErrorMetrics::lost_share);
   json["misled_share"] = error(&ErrorMetrics::misled_share);
+  json["misled_longest_s"] = error(&ErrorMetrics::misled_longest_s);
   json["tracking_at_s"] = error(&ErrorMetrics::tracking_at_s);
   json["nees"] = {{"mean", error(&ErrorMetrics::nees_mean)},
                   {"median", error(&ErrorMetrics::nees_median)},
                   {"in_band", error(&ErrorMetrics::nees_in_band)}};
+  json["jumps"] = metrics.jumps;
   json["confidence_mean"] = metrics.confidence_mean;
   json["tracking_share"] = metrics.tracking_share;
   json["nowhere_share"] = metrics.nowhere_share;
@@ -61,6 +65,7 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
   text << std::fixed << description.filter << ": " << metrics.scans << " scans, "
        << std::setprecision(0) << metrics.duration_s << " s, " << metrics.path_m << " m; ";
   if (!description.start.empty()) text << "started " << description.start << "; ";
+  if (!description.spoil.empty()) text << "spoiled by " << description.spoil << "; ";
   if (metrics.errors) {
     text << std::setprecision(3) << "error " << metrics.errors->ate_rmse_m << " m rms, "
          << metrics.errors->ate_max_m << " m at most, " << std::setprecision(2)

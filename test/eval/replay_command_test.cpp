@@ -83,6 +83,21 @@ TEST(ReplayCommand, RejectsWhatItDoesNotKnow) {
   expectRejected({}, "--map is missing");
 }
 
+TEST(ReplayCommand, ReadsWhatToSpoil) {
+  const ReplayCommand command = parse({"--spoil", "thick", "slip:5", "--spoil", "thick:0.1"});
+  EXPECT_EQ(toText(command.spoils), "thick:0.2, slip:5, thick:0.1");
+  EXPECT_FALSE(command.spoil_seed);
+  EXPECT_EQ(parse({"--spoil-seed", "0"}).spoil_seed, 0);
+  const auto reject = [](const std::vector<std::string>& arguments, const std::string& why) {
+    EXPECT_THAT([&] { parse(arguments); }, ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
+  };
+  reject({"--spoil"}, "--spoil needs a value");
+  reject({"--spoil", "thik"}, "damage: got 'thik', expected one of thick, ");
+  reject({"--spoil", "gaps:7"}, "damage 'gaps': got 7, expected 0 to 0.9");
+  reject({"--spoil-seed", "1.5"}, "--spoil-seed: got '1.5', expected a whole number from 0");
+  reject({"--spoil-seed", "-1"}, "--spoil-seed: got '-1', expected a whole number from 0");
+}
+
 TEST(ReplayCommand, HelpNeedsNothingElse) {
   EXPECT_TRUE(parseReplayCommand({"--help"}).wants_help);
   EXPECT_THAT(replayUsage(), HasSubstr("--truth-topic"));

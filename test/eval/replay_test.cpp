@@ -2,6 +2,7 @@
 // The executable as its user meets it: a small log in a square room.
 #include <nlohmann/json.hpp>
 
+#include "adaptive_localization/eval/statistics.hpp"
 #include "toy_replay.hpp"
 
 namespace adaptive_localization {
@@ -80,10 +81,50 @@ TEST_F(Replay, SaysWhereItStarts) {
   EXPECT_THAT(replay({"--start", "global"}).output, HasSubstr("started anywhere on the map;"));
 }
 
+TEST_F(Replay, SpoilsMapAndLogIfAsked) {
+  const ProgramResult result =
+      replay({"--truth", truth_, "--seed", "3", "--spoil", "shift:0.1", "lost:0.5", "--spoil",
+              "scale", "--json", folder_.file("o.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("spoiled by shift:0.1, lost:0.5, scale:0.02;"));
+  const auto json = nlohmann::json::parse(readWhole(folder_.file("o.json")));
+  EXPECT_EQ(json.at("spoil"), "shift:0.1, lost:0.5, scale:0.02");
+  EXPECT_EQ(json.at("spoil_seed"), 3);
+  EXPECT_LT(json.at("scans"), kSteps - 5);
+  EXPECT_NEAR(json.at("ate_median_m").get<double>(), 0.1 * std::sqrt(2.0), 0.03)
+      << "the reference stays in the frame of the map that was given";
+}
+
+TEST_F(Replay, SpoilsByTheRunsSeedOrOneOfItsOwn) {
+  const auto scansWith = [&](const std::vector<std::string>& seeds) {
+    std::vector<std::string> all{"--truth",  truth_,         "--spoil",
+                                 "lost:0.5", "--trajectory", folder_.file("o.tum")};
+    all.insert(all.end(), seeds.begin(), seeds.end());
+    EXPECT_EQ(replay(all).exit_code, 0);
+    std::vector<std::string> warnings;
+    const Trajectory estimates = loadTum(folder_.file("o.tum"), warnings);
+    return valuesOf(estimates.poses(), &StampedPose::stamp);
+  };
+  const auto third = scansWith({"--seed", "3"});
+  EXPECT_EQ(scansWith({"--seed", "4", "--spoil-seed", "3"}), third);
+  EXPECT_EQ(scansWith({"--set", "seed=3"}), third);
+  EXPECT_NE(scansWith({"--seed", "4"}), third);
+}
+
+TEST_F(Replay, NamesWhatWasSpoiledWhereScansDoNotFit) {
+  const std::string corridor = saveRoom("corridor", 204, 20);
+  const ProgramResult result = runProgram(
+      REPLAY, {"--map", corridor, "--log", log_, "--start", "global", "--spoil", "dotted:0.1"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("do not fit the map '" + corridor +
+                                       "', spoiled by dotted:0.1: no place explains"));
+}
+
 TEST_F(Replay, HelpsOnStandardOutput) {
   const ProgramResult result = runProgram(REPLAY, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, HasSubstr("usage: replay --map MAP.yaml --log FILE"));
+  EXPECT_THAT(result.output, HasSubstr("  slip     7.5 deg   odometry turns by this"));
 }
 
 }  // namespace

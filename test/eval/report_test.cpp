@@ -37,7 +37,9 @@ TEST(Report, HoldsTheAgreedKeys) {
                           "converged_at_s", "lost_share",
                           "misled_share",   "confidence_mean",
                           "start",          "tracking_share",
-                          "nowhere_share"}) {
+                          "nowhere_share",  "misled_longest_s",
+                          "jumps",          "spoil",
+                          "spoil_seed"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;
   }

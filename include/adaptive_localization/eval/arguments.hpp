@@ -52,4 +52,7 @@ double toNumber(const std::string& name, const std::string& text, const Range& r
 int toCount(const std::string& name, const std::string& text, int most,
             const std::string& expected = "");
 
+/// The same of a seed, a whole number from 0.
+int toSeed(const std::string& name, const std::string& text);
+
 }  // namespace adaptive_localization

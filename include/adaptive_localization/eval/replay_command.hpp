@@ -7,6 +7,7 @@
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/eval/log.hpp"
+#include "adaptive_localization/eval/spoil.hpp"
 
 namespace adaptive_localization {
 
@@ -18,8 +19,10 @@ struct ReplayCommand {
   std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
   std::string trajectory_file, json_file, plot_file;
-  int search{0};              // scans to be searched instead
-  bool allows_misfit{false};  // ends well though the scans fit the map nowhere
+  std::vector<Spoil> spoils;
+  std::optional<int> spoil_seed;  // none: the run's
+  int search{0};                  // scans to be searched instead
+  bool allows_misfit{false};      // ends well though the scans fit the map nowhere
   bool is_quiet{false};
   bool wants_help{false};
 };

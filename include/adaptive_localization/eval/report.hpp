@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,8 @@ struct RunDescription {
   int seed{1};
   int threads{1};
   std::string start{};  // where, in words; empty: not told
+  std::string spoil{};  // what was spoiled, KIND:AMOUNT with commas between; empty: nothing
+  std::uint64_t spoil_seed{1};
 };
 
 /// Description and numbers of a run; the errors are null without a reference.
