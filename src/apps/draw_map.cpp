@@ -1,26 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the map of a floor plan: draw_map WORLD.yaml RESOLUTION MAP writes MAP.pgm and MAP.yaml.
-#include <cstdlib>
-#include <exception>
-#include <iostream>
+// Draws the map of a floor plan, or a map anew, and makes it poor if asked to.
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "adaptive_localization/eval/arguments.hpp"
+#include "adaptive_localization/eval/map_spoiler.hpp"
+#include "adaptive_localization/eval/program.hpp"
+#include "adaptive_localization/eval/spoil.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/sim/rasterize.hpp"
 
+namespace adaptive_localization {
+namespace {
+
+struct DrawCommand {
+  std::vector<std::string> words;  // WORLD.yaml RESOLUTION MAP, or OLD.yaml MAP
+  std::vector<Spoil> spoils;
+  int spoil_seed{1};
+  bool wants_help{false};
+};
+
+std::string usage() {
+  return R"(usage: draw_map WORLD.yaml RESOLUTION MAP [options]
+       draw_map OLD.yaml MAP [options]
+
+Writes MAP.pgm and MAP.yaml from a floor plan, RESOLUTION in metres per cell, or from another map.
+
+  --spoil KIND[:AMOUNT] ...  make the map poor, in this order
+  --spoil-seed N             of what is random in that (default 1)
+  --help                     print this
+
+Kinds of damage, with their usual amounts:
+)" + describeKinds(kindsOf(mapDamages()));
+}
+
+Spoil parseMapSpoil(const std::string& text) {
+  const Spoil spoil = parseSpoil(text);
+  findKind(kindsOf(mapDamages()), spoil.kind);  // those of logs are of no use here
+  return spoil;
+}
+
+DrawCommand parse(const std::vector<std::string>& arguments) {
+  DrawCommand command;
+  ArgumentParser parser;
+  parser.others([&](const auto& v) { command.words.push_back(v); });
+  parser.list("--spoil", [&](const auto& v) { command.spoils.push_back(parseMapSpoil(v)); });
+  parser.option("--spoil-seed",
+                [&](const auto& v) { command.spoil_seed = toSeed("--spoil-seed", v); });
+  command.wants_help = !parser.parse(arguments);
+  const std::size_t words = command.words.size();
+  if (command.wants_help || words == 2 || words == 3) return command;
+  throw std::invalid_argument("got " + std::to_string(words) +
+                              " file names and numbers, expected two or three");
+}
+
+void draw(const DrawCommand& command) {
+  const std::string& source = command.words.front();
+  OccupancyGrid map =
+      command.words.size() == 2
+          ? loadMap(source)
+          : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive));
+  saveMap(spoil(std::move(map), command.spoils, static_cast<std::uint64_t>(command.spoil_seed)),
+          command.words.back());
+}
+
+}  // namespace
+}  // namespace adaptive_localization
+
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::cerr
-        << "usage: draw_map WORLD.yaml RESOLUTION MAP\n"
-           "Writes MAP.pgm and MAP.yaml from the floor plan; RESOLUTION in metres per cell.\n";
-    return 1;
-  }
-  try {
-    const auto plan = adaptive_localization::loadFloorPlan(argv[1]);
-    const auto grid = adaptive_localization::rasterize(plan, std::atof(argv[2]));
-    adaptive_localization::saveMap(grid, argv[3]);
-  } catch (const std::exception& error) {
-    std::cerr << "draw_map: " << error.what() << '\n';
-    return 1;
-  }
+  namespace al = adaptive_localization;
+  return al::runProgram("draw_map", al::usage(), al::parse, al::draw, {argv + 1, argv + argc});
 }
