@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "support/program.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -53,6 +55,13 @@ TEST(Spoil, DoesToAMapAndToALogWhatIsMeantForThem) {
                                   parseSpoil("scale:1"), parseSpoil("shift:0.25")};
   EXPECT_DOUBLE_EQ(spoil(map, spoils, 1).lattice().origin().x, 0.75);
   EXPECT_DOUBLE_EQ(spoil(log, spoils, 1).scans[1].T_odom_base.x, 3.0);
+}
+
+TEST(Spoil, EvaluateKnowsAllKinds) {
+  const std::string script = readWhole(std::string(SOURCE_DIR) + "/scripts/evaluate");
+  for (const auto& kind : damageKinds()) {
+    EXPECT_THAT(script, testing::ContainsRegex("ALL_SPOILS = [^]]*\"" + kind.name));
+  }
 }
 
 }  // namespace
