@@ -9,12 +9,37 @@
 #include "json.hpp"
 
 namespace adaptive_localization {
+namespace {
 
-nlohmann::json toJson(const RunDescription& description, const Metrics& metrics) {
+/// All null without a reference.
+nlohmann::json errorsToJson(const Metrics& metrics) {
   const auto error = [&](auto member) {
     return metrics.errors ? nlohmann::json((*metrics.errors).*member) : nlohmann::json();
   };
 
+  nlohmann::json json;
+  json["ate_rmse_m"] = error(&ErrorMetrics::ate_rmse_m);
+  json["ate_mean_m"] = error(&ErrorMetrics::ate_mean_m);
+  json["ate_median_m"] = error(&ErrorMetrics::ate_median_m);
+  json["ate_p95_m"] = error(&ErrorMetrics::ate_p95_m);
+  json["ate_max_m"] = error(&ErrorMetrics::ate_max_m);
+  json["heading_rmse_deg"] = error(&ErrorMetrics::heading_rmse_deg);
+  json["final_error_m"] = error(&ErrorMetrics::final_error_m);
+  json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
+  json["converged_at_s"] = error(&ErrorMetrics::converged_at_s);
+  json["lost_share"] = error(&ErrorMetrics::lost_share);
+  json["misled_share"] = error(&ErrorMetrics::misled_share);
+  json["misled_longest_s"] = error(&ErrorMetrics::misled_longest_s);
+  json["tracking_at_s"] = error(&ErrorMetrics::tracking_at_s);
+  json["nees"] = {{"mean", error(&ErrorMetrics::nees_mean)},
+                  {"median", error(&ErrorMetrics::nees_median)},
+                  {"in_band", error(&ErrorMetrics::nees_in_band)}};
+  return json;
+}
+
+}  // namespace
+
+nlohmann::json toJson(const RunDescription& description, const Metrics& metrics) {
   nlohmann::json json;
   json["log"] = description.log;
   json["map"] = description.map;
@@ -37,22 +62,7 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["update_cpu_ms"] = {{"median", metrics.update_cpu_ms_median},
                            {"mean", metrics.update_cpu_ms_mean}};
   json["particles"] = {{"mean", metrics.particles_mean}, {"max", metrics.particles_max}};
-  json["ate_rmse_m"] = error(&ErrorMetrics::ate_rmse_m);
-  json["ate_mean_m"] = error(&ErrorMetrics::ate_mean_m);
-  json["ate_median_m"] = error(&ErrorMetrics::ate_median_m);
-  json["ate_p95_m"] = error(&ErrorMetrics::ate_p95_m);
-  json["ate_max_m"] = error(&ErrorMetrics::ate_max_m);
-  json["heading_rmse_deg"] = error(&ErrorMetrics::heading_rmse_deg);
-  json["final_error_m"] = error(&ErrorMetrics::final_error_m);
-  json["final_heading_error_deg"] = error(&ErrorMetrics::final_heading_error_deg);
-  json["converged_at_s"] = error(&ErrorMetrics::converged_at_s);
-  json["lost_share"] = error(&ErrorMetrics::lost_share);
-  json["misled_share"] = error(&ErrorMetrics::misled_share);
-  json["misled_longest_s"] = error(&ErrorMetrics::misled_longest_s);
-  json["tracking_at_s"] = error(&ErrorMetrics::tracking_at_s);
-  json["nees"] = {{"mean", error(&ErrorMetrics::nees_mean)},
-                  {"median", error(&ErrorMetrics::nees_median)},
-                  {"in_band", error(&ErrorMetrics::nees_in_band)}};
+  json.update(errorsToJson(metrics));
   json["jumps"] = metrics.jumps;
   json["confidence_mean"] = metrics.confidence_mean;
   json["tracking_share"] = metrics.tracking_share;
