@@ -48,8 +48,23 @@ ExperimentDrive::ExperimentDrive(const ExperimentSite& site, const ExperimentCas
   }
   std::stable_sort(due_.begin(), due_.end(),
                    [](const Due& a, const Due& b) { return a.at < b.at; });
-  simulation_.kidnap(draw(of_case.start));
-  told_ = of_case.told ? draw(*of_case.told) : truth();
+  putAtStart(of_case);
+}
+
+/// At one for which there is what shall be told of it.
+void ExperimentDrive::putAtStart(const ExperimentCase& of_case) {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    simulation_.kidnap(draw(of_case.start));
+    const std::optional<Pose2> told = of_case.told ? draw(*of_case.told) : truth();
+    if (!told) continue;
+    told_ = *told;
+    return;
+  }
+  const WrongStart& told = *of_case.told;
+  const double off_by = told.shift ? told.shift->norm() : told.off_by;
+  throw std::invalid_argument("no place where the robot could stand " + std::to_string(off_by) +
+                              " m from where it stands");
 }
 
 Pose2 ExperimentDrive::draw(const Spot& place) {
@@ -65,18 +80,19 @@ Pose2 ExperimentDrive::draw(const Spot& place) {
                               std::to_string(place.farther_than) + " m or more from where it was");
 }
 
-Pose2 ExperimentDrive::draw(const WrongStart& told) {
-  if (told.pose) return *told.pose;
-  constexpr int kTries = 10000;
+std::optional<Pose2> ExperimentDrive::draw(const WrongStart& told) {
+  if (told.pose) return told.pose;
+  constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
     const double direction = rng_.uniform(-kPi, kPi);
-    const Eigen::Vector2d spot(truth().x + told.off_by * std::cos(direction),
-                               truth().y + told.off_by * std::sin(direction));
-    if (told.off_by > 0.0 && !free_space_->contains(spot)) continue;
-    return {spot.x(), spot.y(), wrapAngle(truth().theta + told.turned_by)};
+    const Eigen::Vector2d along(std::cos(direction), std::sin(direction));
+    const Eigen::Vector2d shift = told.shift ? std::copysign(1.0, direction) * *told.shift
+                                             : Eigen::Vector2d(told.off_by * along);
+    const Eigen::Vector2d spot = Eigen::Vector2d(truth().x, truth().y) + shift;
+    if (!shift.isZero() && !free_space_->contains(spot)) continue;
+    return Pose2{spot.x(), spot.y(), wrapAngle(truth().theta + told.turned_by)};
   }
-  throw std::invalid_argument("no place where the robot could stand " +
-                              std::to_string(told.off_by) + " m from where it stands");
+  return std::nullopt;
 }
 
 /// The mean since the scan before.

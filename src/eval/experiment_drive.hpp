@@ -44,8 +44,9 @@ class ExperimentDrive {
   };
 
   double time() const { return simulation_.time() + carried_; }
+  void putAtStart(const ExperimentCase& of_case);
   Pose2 draw(const Spot& place);
-  Pose2 draw(const WrongStart& told);
+  std::optional<Pose2> draw(const WrongStart& told);
   BaseVelocity velocityUntil(const Pose2& T_odom_base) const;
   void startDueEvents();
   void start(const ExperimentEvent& event);

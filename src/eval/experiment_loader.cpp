@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "experiment_values.hpp"
+#include "fingerprint.hpp"
 #include "yaml_value.hpp"
 
 namespace adaptive_localization {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "adaptive_localization/eval/experiment_run.hpp"
-#include "experiment_values.hpp"
+#include "fingerprint.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -2,11 +2,7 @@
 #include "experiment_values.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace adaptive_localization {
@@ -21,11 +17,6 @@ std::string resolve(const YamlValue& value) {
   const fs::path path = fs::path(value.file()).parent_path() / value.text();
   if (!fs::exists(path)) value.reject("a file or folder that exists, from the place of this file");
   return path.lexically_normal().string();
-}
-
-std::string contentsOf(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::vector<Eigen::Vector2d> readRoute(const YamlValue& value) {
@@ -59,6 +50,15 @@ Parameters readSimulation(const YamlValue& value) {
   return parameters;
 }
 
+void readOffset(const YamlValue& value, WrongStart& told) {
+  if (!value.node().IsSequence()) {
+    told.off_by = value.number({0.0, 1e4});
+    return;
+  }
+  const auto xy = value.numbers(2, "a number of metres, or [x, y] in metres");
+  told.shift = Eigen::Vector2d(xy[0], xy[1]);
+}
+
 WrongStart readTold(const YamlValue& value) {
   WrongStart told;
   if (value.node().IsSequence()) {
@@ -67,7 +67,7 @@ WrongStart readTold(const YamlValue& value) {
     return told;
   }
   value.allowOnly({"off_by", "turned_by"});
-  if (value.has("off_by")) told.off_by = value.at("off_by").number({0.0, 1e4});
+  if (value.has("off_by")) readOffset(value.at("off_by"), told);
   if (value.has("turned_by")) told.turned_by = value.at("turned_by").number({-kPi, kPi});
   return told;
 }
@@ -196,22 +196,6 @@ ExperimentCore readCore(const YamlValue& value) {
     core.parameters.set("preset", OptionValue(value.at("preset").oneOf({"recommended", "seed"})));
   }
   return core;
-}
-
-std::string hashOf(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char letter : text) {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
-  }
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
-}
-
-std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case) {
-  YAML::Node node = YAML::Clone(value.node());
-  for (const char* key : {"label", "cores", "options", "seeds", "world", "map"}) node.remove(key);
-  return hashOf(YAML::Dump(node) + contentsOf(of_case.world) + contentsOf(of_case.map));
 }
 
 }  // namespace adaptive_localization

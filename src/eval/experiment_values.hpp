@@ -21,10 +21,4 @@ ExperimentCore readCore(const YamlValue& value);
 /// "world" stays as it is.
 Parameters readOptions(const YamlValue& value);
 
-/// A hash of what a case says, its world and its map, but for labels, cores and seeds.
-std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case);
-
-/// A hash of a text, 16 hexadecimal digits (FNV-1a).
-std::string hashOf(const std::string& text);
-
 }  // namespace adaptive_localization

@@ -38,6 +38,23 @@ TEST_F(WrongStart, IsAsFarFromTheTruthAsAskedForAndAPlaceToStand) {
   }
 }
 
+TEST_F(WrongStart, CanBeAlongALineEitherWay) {
+  const ExperimentCase of_case = load("told: {off_by: [1.5, 0.2]}\n");
+  const ExperimentSite site = loadSite(of_case);
+  int forth = 0, back = 0;
+  for (int seed = 1; seed < 30; ++seed) {
+    const ExperimentDrive drive(site, of_case, seed);
+    const double sign = drive.told().x > drive.truth().x ? 1.0 : -1.0;
+    EXPECT_NEAR(drive.told().x - drive.truth().x, sign * 1.5, 1e-9);
+    EXPECT_NEAR(drive.told().y - drive.truth().y, sign * 0.2, 1e-9);
+    EXPECT_EQ(drive.told().theta, drive.truth().theta);
+    EXPECT_TRUE(site.free_space->contains({drive.told().x, drive.told().y}));
+    (sign > 0.0 ? forth : back)++;
+  }
+  EXPECT_GT(forth, 3);
+  EXPECT_GT(back, 3);
+}
+
 TEST_F(WrongStart, CanBeAPose) {
   const ExperimentCase of_case = load("start: [1, 0.6, 0]\ntold: [5, 3, 1]\n");
   const ExperimentDrive drive(loadSite(of_case), of_case, 1);
@@ -56,12 +73,16 @@ TEST_F(WrongStart, ThatCannotBeIsRejected) {
   expectRejected("told: [1, 2]\n", "'told': got '[1, 2]', expected [x, y, yaw]");
   expectRejected("told: {off: 3}\n", "unknown key 'told.off'");
   expectRejected("told: {off_by: -1}\n", "'told.off_by': got '-1'");
+  expectRejected("told: {off_by: [1]}\n",
+                 "'told.off_by': got '[1]', expected a number of metres, or [x, y]");
   expectRejected("told: {off_by: 1}\nstart_known: false\n", "'start_known': got 'false'");
   expectRejected("success: {within: soon}\n", "'success.within': got 'soon'");
   expectRejected("bounds: 3\n", "'bounds': got '3', expected true or false");
-  const ExperimentCase far = load("told: {off_by: 50}\n");
-  EXPECT_THAT([&] { ExperimentDrive(loadSite(far), far, 1); },
-              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("50.0")));
+  for (const std::string off_by : {"50", "[0, 50]"}) {
+    const ExperimentCase far = load("told: {off_by: " + off_by + "}\n");
+    EXPECT_THAT([&] { ExperimentDrive(loadSite(far), far, 1); },
+                testing::ThrowsMessage<std::invalid_argument>(HasSubstr("50.0")));
+  }
 }
 
 TEST_F(WrongStart, LooksForFilesThatOptionsNameFromItsOwnPlace) {

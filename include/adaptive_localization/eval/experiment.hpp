@@ -24,8 +24,9 @@ struct Spot {
 /// true one, anywhere where the robot could stand.
 struct WrongStart {
   std::optional<Pose2> pose;
-  double off_by{0.0};     // m
-  double turned_by{0.0};  // rad
+  double off_by{0.0};                    // m
+  std::optional<Eigen::Vector2d> shift;  // m in the map frame, this way or back; without off_by
+  double turned_by{0.0};                 // rad
 };
 
 /// Something that happens to the robot, again every so many seconds if asked for.

@@ -24,6 +24,7 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 ///                                   #   yaw: [low, high], farther_than: m}
 ///     start_known: true             # the localizer is told; otherwise it starts anywhere
 ///     told: {off_by: 5.4, turned_by: 0}   # m, rad: what it is told is wrong; or [x, y, yaw]
+///                                   #   off_by: [x, y] is so far along a line, either way
 ///     simulation: {people: 2}       # options of p3dx_simulator; drive is on
 ///     duration: 42                  # s
 ///     events:                       # of three kinds; with every: s, again and again
