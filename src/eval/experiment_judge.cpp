@@ -77,6 +77,8 @@ void ExperimentJudge::observe(const JudgedScan& scan) {
               isNear(scan.answer.T_map_base, *scan.T_map_base, rule_.position, rule_.heading));
     noteWrong(scan);
     noteProbes(scan);
+    result_.calibration.note(scan.answer.confidence,
+                             distance(scan.answer.T_map_base, *scan.T_map_base));
   } else {
     ++result_.carried;
     result_.carried_tracking += is_tracking;
@@ -109,18 +111,20 @@ void ExperimentJudge::noteTrial(const JudgedScan& scan, bool is_right) {
     errors_rad_.push_back(heading_error);
     accuracy_.observe(scan.stamp, scan.answer, *scan.T_map_base, scan.bounds);
   }
+  const bool is_wrong = isWrong(scan.answer.T_map_base, *scan.T_map_base);
+  const bool was_right = trial.found_s || trial.kind == Trial::Kind::kKnownStart;
+  if (is_wrong && was_right && !trial.left_s) trial.left_s = scan.stamp - trial.at;
   trial.end_status = toText(status);
   trial.end_error_m = error;
   trial.end_error_deg = kDegrees * heading_error;
-  trial.is_silent_failure =
-      status == Status::kTracking && isWrong(scan.answer.T_map_base, *scan.T_map_base);
+  trial.is_silent_failure = status == Status::kTracking && is_wrong;
 }
 
 void ExperimentJudge::noteAlarms(const JudgedScan& scan) {
   if (!before_) return;
   const Pose2 expected = before_->answer.T_map_odom * scan.T_odom_base;
-  const bool has_jumped = before_->answer.status != Status::kUninitialised &&
-                          distance(expected, scan.answer.T_map_base) > kLostDistance;
+  const bool has_jumped =
+      before_->answer.status != Status::kUninitialised && isWrong(scan.answer.T_map_base, expected);
   result_.jumps += has_jumped;
   if (!scan.T_map_base) result_.carried_jumps += has_jumped;
   if (!is_settled_ || !scan.T_map_base) return;

@@ -20,6 +20,7 @@ void visitTrial(Stored& trial, Item&& item) {
   item("found_s", trial.found_s);
   item("told_s", trial.told_s);
   item("within_s", trial.within_s);
+  item("left_s", trial.left_s);
   item("at", trial.at);
   item("scans", trial.scans);
   item("searching", trial.searching);
@@ -70,6 +71,7 @@ void visitResult(Stored& result, Item&& item) {
   item("first_mass", result.first_mass);
   item("second_mass", result.second_mass);
   item("has_both_at_end", result.has_both_at_end);
+  item("calibration", result.calibration);
   item("rms_m", result.rms_m);
   item("rms_deg", result.rms_deg);
   item("max_m", result.max_m);

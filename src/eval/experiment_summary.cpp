@@ -27,11 +27,12 @@ bool isSameRun(const ExperimentResult& a, const ExperimentResult& b) {
   return rowOf(a) == rowOf(b) && a.id.seed == b.id.seed;
 }
 
-std::vector<Trial> trialsOf(const Results& results) {
+/// Those of known starts, or all others.
+std::vector<Trial> trialsOf(const Results& results, bool is_known) {
   std::vector<Trial> trials;
   for (const auto& result : results) {
     for (const auto& trial : result.trials) {
-      if (trial.kind != Trial::Kind::kKnownStart) trials.push_back(trial);
+      if ((trial.kind == Trial::Kind::kKnownStart) == is_known) trials.push_back(trial);
     }
   }
   return trials;
@@ -98,6 +99,7 @@ void addHonesty(const Results& runs, ExperimentSummary& row) {
   row.jumps_per_run = share(total(&R::jumps), row.runs);
   row.silently_wrong_share = share(total(&R::silently_wrong), scans);
   row.silently_wrong_longest_s = largest(valuesOf(runs, &R::silently_wrong_s));
+  for (const auto& run : runs) row.calibration.add(run.calibration);
   row.carried = static_cast<int>(total(&R::carried));
   row.carried_tracking_share = share(total(&R::carried_tracking), total(&R::carried));
   row.carried_jumps = static_cast<int>(total(&R::carried_jumps));
@@ -157,7 +159,8 @@ ExperimentSummary summarizeRow(const Results& runs) {
   row.filter = first.filter;
   row.preset = first.preset;
   row.runs = static_cast<int>(runs.size());
-  addTrials(trialsOf(runs), row);
+  addTrials(trialsOf(runs, false), row);
+  row.left = shareOf(trialsOf(runs, true), [](const Trial& t) { return t.left_s.has_value(); });
   addHonesty(runs, row);
   addModes(runs, row);
   addErrors(runs, row);

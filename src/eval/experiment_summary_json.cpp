@@ -51,6 +51,7 @@ nlohmann::json toJson(const ExperimentSummary& row) {
   json["in_time"] = row.in_time;
   json["in_time_or_flagged"] = row.in_time_or_flagged;
   json["right_at_end"] = row.right_at_end;
+  json["left"] = row.left;
   json["told_early_scans"] = {{"median", row.told_early_median}, {"max", row.told_early_most}};
   json["always_flagged"] = row.flagged;
   json["ambiguous"] = row.ambiguous;
@@ -60,6 +61,8 @@ nlohmann::json toJson(const ExperimentSummary& row) {
   json["jumps_per_run"] = row.jumps_per_run;
   json["silently_wrong"] = {{"share", row.silently_wrong_share},
                             {"longest_s", row.silently_wrong_longest_s}};
+  json["calibration"] = row.calibration;
+  json["calibration"]["share"] = row.calibration.shares();
   json["carried"] = {{"tracking_share", row.carried_tracking_share}, {"jumps", row.carried_jumps}};
   json["modes"] = {{"both_at_end", row.both_at_end},
                    {"both_share", row.both_share},

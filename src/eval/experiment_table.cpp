@@ -37,6 +37,15 @@ std::string interval(const Share& share) {
   return share.of > 0 ? fixed(100.0 * share.low, 1) + "–" + percent(share.high) : "";
 }
 
+/// P(error < 0.3 m) in each, from the lowest confidence to the highest.
+std::string tenths(const Calibration& calibration) {
+  std::string text;
+  for (const auto& share : calibration.shares()) {
+    text += (text.empty() ? "" : " ") + (share ? fixed(*share, 2) : "–");
+  }
+  return text;
+}
+
 using Row = ExperimentSummary;
 using Cell = std::function<std::string(const Row&)>;  // empty: nothing to say
 
@@ -64,6 +73,7 @@ std::vector<std::pair<std::string, Cell>> findingColumns() {
       {"right at the end", [](const Row& r) { return countOf(r.right_at_end); }},
       {"says tracking at the end, wrongly",
        [](const Row& r) { return countOf(r.silent_failures); }},
+      {"left a known start", [](const Row& r) { return countOf(r.left); }},
   };
 }
 
@@ -71,9 +81,11 @@ std::vector<std::pair<std::string, Cell>> honestyColumns() {
   return {
       {"says tracking, wrongly: of the scans, longest",
        [](const Row& r) {
-         return percent(r.silently_wrong_share) + ", " + fixed(r.silently_wrong_longest_s, 1) +
+         return percent(r.silently_wrong_share, 2) + ", " + fixed(r.silently_wrong_longest_s, 1) +
                 " s";
        }},
+      {"jumps per run", [](const Row& r) { return fixed(r.jumps_per_run, 2); }},
+      {"near, by tenths of confidence", [](const Row& r) { return tenths(r.calibration); }},
       {"while carried: says tracking, jumps",
        [](const Row& r) {
          if (r.carried == 0) return std::string();

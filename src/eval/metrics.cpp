@@ -41,12 +41,14 @@ bool isFound(const RunStep& step) {
 std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   std::vector<double> positions, headings;
   std::optional<double> found_at, tracking_at;
+  Calibration calibration;
   int lost = 0;
   int misled = 0;
   for (const auto& step : steps) {
     if (!step.T_map_base_reference) continue;
     positions.push_back(distance(step.T_map_base, *step.T_map_base_reference));
     headings.push_back(headingError(step));
+    calibration.note(step.confidence, positions.back());
     const bool is_tracking = step.status == Status::kTracking;
     if (is_tracking && !tracking_at) tracking_at = step.stamp - steps.front().stamp;
     if (!isFound(step)) {
@@ -71,6 +73,7 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   errors.lost_share = static_cast<double>(lost) / static_cast<double>(positions.size());
   errors.misled_share = static_cast<double>(misled) / static_cast<double>(positions.size());
   errors.tracking_at_s = tracking_at;
+  errors.calibration = calibration;
   addConsistency(steps, errors);
   return errors;
 }

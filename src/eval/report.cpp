@@ -34,6 +34,7 @@ nlohmann::json errorsToJson(const Metrics& metrics) {
   json["nees"] = {{"mean", error(&ErrorMetrics::nees_mean)},
                   {"median", error(&ErrorMetrics::nees_median)},
                   {"in_band", error(&ErrorMetrics::nees_in_band)}};
+  json["calibration"] = error(&ErrorMetrics::calibration);
   return json;
 }
 

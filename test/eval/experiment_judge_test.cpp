@@ -16,6 +16,7 @@ class Judge : public testing::Test {
       if (is_on_floor) scan.T_map_base = Pose2{};
       scan.answer.T_map_base = scan.answer.T_map_odom = estimate;
       scan.answer.status = status;
+      scan.answer.confidence = confidence_;
       scan.answer.updated = true;
       scan.answer.modes = modes_;
       scan.particles = 10 * count_;
@@ -33,6 +34,7 @@ class Judge : public testing::Test {
   }();
   ExperimentJudge judge_{case_};
   std::vector<Mode> modes_;
+  double confidence_{0.0};
   int count_{0};
 };
 
@@ -94,6 +96,50 @@ TEST_F(Judge, CountsFalseAlarms) {
   EXPECT_EQ(result.left_tracking, 2);
   EXPECT_EQ(result.false_jumps, 1);
   EXPECT_NEAR(result.max_m, 1.0, 1e-9);
+}
+
+TEST_F(Judge, CountsAsJumpsWhatOdometryDoesNotExplain) {
+  judge_.begin(Trial::Kind::kStart, 0.0, {});
+  see({}, Status::kUninitialised);
+  see(kWrong, Status::kGlobalizing, 2);  // from nowhere
+  see({1.4, 0.0, 0.3}, Status::kAmbiguous);
+  see({1.4, 0.0, 0.7}, Status::kAmbiguous);  // turns by 23 degrees
+  see(kRight, Status::kAmbiguous);
+  EXPECT_EQ(judge_.finish().jumps, 2);
+}
+
+TEST_F(Judge, NotesWhenAPlaceThatWasKnownOrFoundWasLeft) {
+  judge_.begin(Trial::Kind::kKnownStart, 0.0, {});
+  see(kNearly, Status::kTracking, 2);
+  see(kWrong, Status::kLost, 2);
+  see(kRight, Status::kTracking, 5);
+  judge_.begin(Trial::Kind::kKidnap, 0.9, {});
+  see(kWrong, Status::kLost, 2);
+  see(kRight, Status::kTracking, 4);
+  judge_.begin(Trial::Kind::kKidnap, 1.5, {});
+  see(kWrong, Status::kLost, 1);
+  see(kRight, Status::kTracking, 3);
+  see(kWrong, Status::kTracking, 1);
+  const auto trials = judge_.finish().trials;
+  ASSERT_EQ(trials.size(), 3U);
+  EXPECT_NEAR(trials[0].left_s.value(), 0.3, 1e-9) << "a place that was told was known at once";
+  EXPECT_FALSE(trials[1].left_s);
+  EXPECT_NEAR(trials[2].left_s.value(), 0.5, 1e-9);
+}
+
+TEST_F(Judge, HoldsErrorsAgainstConfidence) {
+  judge_.begin(Trial::Kind::kKnownStart, 0.0, {});
+  confidence_ = 0.95;
+  see(kRight, Status::kTracking, 3);
+  see(kWrong, Status::kTracking, 1);
+  confidence_ = 0.2;
+  see(kWrong, Status::kAmbiguous, 2);
+  see(kRight, Status::kTracking, 5, false);
+  const Calibration calibration = judge_.finish().calibration;
+  EXPECT_EQ(calibration.scans[9], 4);
+  EXPECT_EQ(calibration.near[9], 3);
+  EXPECT_EQ(calibration.scans[2], 2) << "a robot that is carried is nowhere";
+  EXPECT_EQ(calibration.near[2], 0);
 }
 
 TEST_F(Judge, TellsWhatHappensWhileTheRobotIsCarriedApart) {

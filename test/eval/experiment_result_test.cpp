@@ -24,10 +24,12 @@ ExperimentResult someResult() {
   found.found_s = 0.3;
   found.within_s = 1.0;
   found.late_tracking = 2;
+  found.left_s = 7.5;
   Trial failed;
   failed.end_status = "tracking";
   failed.is_silent_failure = true;
   result.trials = {found, failed};
+  result.calibration.note(0.95, 0.1);
   result.accuracy.mean_m = 0.008;
   result.accuracy.normalized = {std::nullopt, 2.5};
   result.accuracy.drive_bound_m = 0.002;
@@ -48,6 +50,9 @@ TEST(ExperimentResult, IsOneLineThatIsReadBackAsItWas) {
   EXPECT_EQ(back.trials[0].told_s, std::nullopt);
   EXPECT_EQ(back.trials[0].within_s, 1.0);
   EXPECT_EQ(back.trials[0].late_tracking, 2);
+  EXPECT_EQ(back.trials[0].left_s, 7.5);
+  EXPECT_EQ(back.trials[1].left_s, std::nullopt);
+  EXPECT_EQ(back.calibration.near.at(9), 1);
   EXPECT_EQ(back.accuracy.mean_m, 0.008);
   EXPECT_EQ(back.accuracy.normalized.at(0), std::nullopt);
   EXPECT_EQ(back.accuracy.normalized.at(1), 2.5);

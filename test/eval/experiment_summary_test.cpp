@@ -85,6 +85,43 @@ TEST(ExperimentSummary, LeavesOutStartsThatWereKnown) {
   EXPECT_THAT(table, HasSubstr("| hall | kld | 1 |"));
 }
 
+TEST(ExperimentSummary, CountsKnownStartsThatWereLeft) {
+  auto runs = tenRuns("kld");
+  for (auto& run : runs) {
+    run.trials.front().left_s = 1.0;  // a start that was found
+    Trial known;
+    known.kind = Trial::Kind::kKnownStart;
+    if (run.id.seed > 8) known.left_s = 3.0;
+    run.trials.push_back(known);
+  }
+  const ExperimentSummary row = summarize(runs).front();
+  EXPECT_EQ(row.left.count, 2);
+  EXPECT_EQ(row.left.of, 10);
+  EXPECT_EQ(row.found.of, 10);
+  EXPECT_EQ(toJson(row).at("left").at("count"), 2);
+  EXPECT_THAT(toTables({row}), HasSubstr("left a known start"));
+  EXPECT_THAT(toTables(summarize(tenRuns("kld"))), Not(HasSubstr("left a known start")));
+}
+
+TEST(ExperimentSummary, AddsUpJumpsAndCalibration) {
+  auto runs = tenRuns("kld");
+  for (auto& run : runs) {
+    run.jumps = run.id.seed == 3 ? 5 : 0;
+    run.calibration.note(0.95, run.id.seed == 1 ? 1.0 : 0.1);
+    run.calibration.note(0.15, 1.0);
+  }
+  const ExperimentSummary row = summarize(runs).front();
+  EXPECT_DOUBLE_EQ(row.jumps_per_run, 0.5);
+  EXPECT_EQ(row.calibration.scans[9], 10);
+  EXPECT_EQ(row.calibration.near[9], 9);
+  EXPECT_THAT(toTables({row}), HasSubstr("| 0.50 | – 0.00 – – – – – – – 0.90 |"));
+  EXPECT_EQ(toJson(row).at("jumps_per_run"), 0.5);
+  const auto calibration = toJson(row).at("calibration");
+  EXPECT_EQ(calibration.at("scans").at(1), 10);
+  EXPECT_TRUE(calibration.at("share").at(0).is_null());
+  EXPECT_EQ(calibration.at("share").at(9), 0.9);
+}
+
 TEST(ExperimentSummary, DoesNotDependOnTheOrderOfTheResultsNorOnDoubles) {
   auto runs = tenRuns("kld");
   const auto more = tenRuns("amcl");

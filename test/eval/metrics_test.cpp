@@ -91,6 +91,16 @@ TEST(Metrics, TellsWhetherCovariancesMeanWhatTheySay) {
   EXPECT_NEAR(errors.nees_in_band.value(), 0.5, 1e-12) << "1 and 4 lie between 0.22 and 9.35";
 }
 
+TEST(Metrics, HoldErrorsAgainstConfidence) {
+  auto steps = std::vector<RunStep>{step(0, 0.0), step(1, 0.1), step(2, -0.4), step(3, 0.2)};
+  for (auto& one : steps) one.confidence = 0.95;
+  steps[3].confidence = 0.5;
+  const Calibration calibration = errorsOf(steps).calibration;
+  EXPECT_EQ(calibration.scans[9], 3);
+  EXPECT_EQ(calibration.near[9], 2);
+  EXPECT_EQ(calibration.near[5], 1);
+}
+
 TEST(Metrics, TakesTheProcessorTimeOfUpdates) {
   RunRecord run;
   run.steps = {step(0, 0.0), step(1, 0.0), step(2, 0.0)};

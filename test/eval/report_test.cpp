@@ -39,7 +39,7 @@ TEST(Report, HoldsTheAgreedKeys) {
                           "start",          "tracking_share",
                           "nowhere_share",  "misled_longest_s",
                           "jumps",          "spoil",
-                          "spoil_seed"}) {
+                          "spoil_seed",     "calibration"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/eval/calibration.hpp"
 
 namespace adaptive_localization {
 
@@ -30,6 +31,7 @@ struct Trial {
   std::optional<double> found_s;  // after that the estimate was right, and stayed so for some scans
   std::optional<double> told_s;   // the same, and the status was tracking
   std::optional<double> within_s;  // the time given for it
+  std::optional<double> left_s;    // after that it was wrong, though it was found or known
   int scans{0};
   int searching{0};            // scans before it was found
   int searching_tracking{0};   // of these, those that said tracking
@@ -67,8 +69,8 @@ struct ExperimentResult {
 
   double settled_s{0.0};  // after the status told, up to the next event or the end
   int left_tracking{0};   // false alarms: how often the status left tracking in that time,
-  int false_jumps{0};     // and how often the estimate jumped more than kLostDistance
-  int jumps{0};           // at any time
+  int false_jumps{0};  // and how often the estimate jumped: was wrong by that before and odometry
+  int jumps{0};        // at any time
 
   int silently_wrong{0};              // scans that said tracking while the estimate was wrong
   double silently_wrong_s{0.0};       // the longest spell of them
@@ -82,6 +84,8 @@ struct ExperimentResult {
   // and one at its counterpart.
   std::optional<double> both_share;
   bool has_both_at_end{false};
+
+  Calibration calibration;  // scans while the robot was on the floor
 
   double rms_m{0.0}, rms_deg{0.0}, max_m{0.0};  // after it was found
   Accuracy accuracy;

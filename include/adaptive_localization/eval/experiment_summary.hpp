@@ -25,6 +25,7 @@ struct ExperimentSummary {
   Share in_time;                // of the trials with a time for it, those found in it
   Share in_time_or_flagged;  // or in which from then on no scan said tracking before it was found
   Share right_at_end;        // trials at whose end the estimate was not wrong
+  Share left;  // starts that were known and at which the estimate was wrong ever after
   // Scans of a trial that said tracking before the robot was found.
   double told_early_median{0.0}, told_early_most{0.0};
   Share silent_failures;  // trials at whose end the status was tracking, wrongly
@@ -34,6 +35,7 @@ struct ExperimentSummary {
   int left_tracking{0}, false_jumps{0};
   double jumps_per_run{0.0};
   double silently_wrong_share{0.0}, silently_wrong_longest_s{0.0};
+  Calibration calibration;
   int carried{0}, carried_jumps{0};  // scans
   double carried_tracking_share{0.0};
   Share both_at_end;  // of the runs in which the map looks the same after half a turn

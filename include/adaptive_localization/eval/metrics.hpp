@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "adaptive_localization/eval/calibration.hpp"
 #include "adaptive_localization/eval/run.hpp"
 
 namespace adaptive_localization {
@@ -31,6 +32,7 @@ struct ErrorMetrics {
   double misled_share{0.0};             // lost and said "tracking", of the same
   double misled_longest_s{0.0};         // the longest time of that
   std::optional<double> tracking_at_s;  // after the first scan; when it first said "tracking"
+  Calibration calibration;
 };
 
 /// All numbers of one run.
