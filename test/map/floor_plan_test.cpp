@@ -81,8 +81,8 @@ TEST(FloorPlan, RefusesAnOutlineRoundNothing) {
 }
 
 TEST(FloorPlan, OfAllShippedWorldsIsRead) {
-  for (const std::string name :
-       {"complex", "corridor", "expansion", "maze", "simple", "symmetric", "torus"}) {
+  for (const std::string name : {"complex", "corridor", "expansion", "hall", "maze", "office",
+                                 "office_moved", "simple", "symmetric", "torus", "warehouse"}) {
     EXPECT_GT(loadFloorPlan(SOURCE_DIR "/maps/" + name + "/world.yaml").route.size(), 3U) << name;
   }
 }

@@ -36,8 +36,8 @@ std::string planWith(const std::string& text) {
 const Lattice kLattice(100, 60, 0.05, {-1.0, -1.0, 0.3});  // 5 x 3 m
 
 TEST(LineMapFile, OfShippedWorldsIsOnTheirMaps) {
-  for (const std::string name :
-       {"complex", "corridor", "expansion", "maze", "simple", "symmetric", "torus"}) {
+  for (const std::string name : {"complex", "corridor", "expansion", "hall", "maze", "office",
+                                 "office_moved", "simple", "symmetric", "torus", "warehouse"}) {
     const std::string folder = std::string(SOURCE_DIR) + "/maps/" + name;
     const OccupancyGrid map = loadMap(folder + "/map.yaml");
     EXPECT_GT(loadLineMap(folder + "/world.yaml", map.lattice()).size(), 3U) << name;
