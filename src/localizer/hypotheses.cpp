@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "adaptive_localization/localizer/usual_error.hpp"
 #include "adaptive_localization/ser/place.hpp"
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
 namespace {
 
+constexpr std::size_t kMostPlaces = 100;
 constexpr double kMargin = 6.0;       // log odds below the best at which a place is ruled out
 constexpr double kTolerance = 0.015;  // m
 constexpr double kToleranceShare = 0.25;
@@ -18,6 +20,9 @@ constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
 constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well
+constexpr double kMostWhereKept = 2.0;   // the same, of a kept place that explains most beams:
+constexpr double kMostBeams = 0.6;       // what stands there may have changed,
+constexpr double kMostHits = 0.9;        // by ranges or by where hits are
 constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
 constexpr double kPlaceStd = 0.05;       // m, of a place aligned with a scan
 constexpr double kPlaceTurnStd = 0.03;   // rad
@@ -37,6 +42,13 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
   return is_better ? moved : stayed;
 }
 
+/// Whether most of a scan fits a place, by ranges or by where hits are: rather has something there
+/// changed than is it another.
+bool mostFits(const PlaceRefiner& refiner, const Pose2& T_map_base, double usual) {
+  return refiner.fit(T_map_base).off_share < 1.0 - kMostBeams ||
+         refiner.hitShare(T_map_base, UsualError(usual).limit()) > kMostHits;
+}
+
 /// Of log odds.
 double loss(double error, double least, double usual) {
   const double level = std::max(least, usual);
@@ -47,7 +59,15 @@ double loss(double error, double least, double usual) {
 }  // namespace
 
 void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
-  if (isFinite(T_map_base) && !knows(T_map_base)) all_.push_back({T_map_base, log_odds});
+  const bool is_room = all_.size() < kMostPlaces;
+  if (is_room && isFinite(T_map_base) && !knows(T_map_base)) {
+    all_.push_back({T_map_base, log_odds});
+  }
+}
+
+void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
+  if (!isFinite(T_map_base) || knows(T_map_base)) return;
+  all_.push_back({T_map_base, odds.value(), odds.value(), odds.word(), odds.isKept()});
 }
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
@@ -56,14 +76,32 @@ bool Hypotheses::knows(const Pose2& T_map_base) const {
   });
 }
 
-double Hypotheses::bestOdds() const {
+double Hypotheses::entry(double malus) const {
   double best = all_.empty() ? 0.0 : all_.front().log_odds;
-  for (const Hypothesis& hypothesis : all_) best = std::max(best, hypothesis.log_odds);
-  return best;
+  double told = 0.0;
+  for (const Hypothesis& hypothesis : all_) {
+    best = std::max(best, hypothesis.log_odds);
+    if (hypothesis.prior > 0.0) told = std::min(told, hypothesis.log_odds - hypothesis.prior);
+  }
+  return std::min(told, best - malus);
+}
+
+bool Hypotheses::isByWord() const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    return hypothesis.word > 0.0 && !hypothesis.is_new;
+  });
 }
 
 void Hypotheses::ride(const Pose2& motion) {
   for (Hypothesis& hypothesis : all_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
+}
+
+void Hypotheses::note(const Pose2& T_map_core) {
+  for (Hypothesis& hypothesis : all_) {  // likeliest first
+    if (!areSamePlace(hypothesis.T_map_base, T_map_core)) continue;
+    hypothesis.T_map_core = T_map_core;
+    return;
+  }
 }
 
 Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
@@ -76,39 +114,71 @@ Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
   return log_likelihood;
 }
 
-void Hypotheses::weigh(const Observations& observations, double share, double usual) {
-  const Scan& scan = observations.scan;
-  const PlaceRefiner refiner(ground_.map, *ground_.field, scan, scan.max_range,
-                             RangeError::kTruncation);
+/// The better one of two ways to the core's place: from where it was and from where the core is.
+Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
+                              const Place& before, double usual) {
+  constexpr double kFarBetter = 0.5;  // of the error
+  const Pose2 T_map_core = *hypothesis.T_map_core;
+  hypothesis.T_map_core.reset();
+  const Place now = alignedWith(refiner, T_map_core);
+  const Place& place =
+      now.error <= (1.0 + kToleranceShare) * before.error + kTolerance ? now : before;
+  const double error = refiner.error(T_map_core);
+  is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
+  return place;
+}
+
+void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
+  is_core_beside_ = false;
   for (Hypothesis& hypothesis : all_) {
-    const Place place = alignedWith(refiner, hypothesis.T_map_base);
+    Place place = alignedWith(refiner, hypothesis.T_map_base);
+    if (hypothesis.T_map_core) place = alignedCore(refiner, hypothesis, place, usual);
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);
   }
+}
+
+void Hypotheses::weigh(const Observations& observations, double share, double usual) {
+  const Scan& scan = observations.scan;
+  const PlaceRefiner refiner(ground_.map, *ground_.field, scan, scan.max_range,
+                             RangeError::kTruncation);
+  align(refiner, usual);
   const bool fits =
       least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
   const double most = fits ? std::numeric_limits<double>::infinity() : kMostWithoutFit;
   const Eigen::ArrayXd senses = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
-    const double by_scan = -std::min(most, loss(hypothesis.error, least_error_, usual));
-    const double told = by_scan + senses[static_cast<Eigen::Index>(i)];
+    double lost = std::min(most, loss(hypothesis.error, least_error_, usual));
+    hypothesis.is_explained = lost == 0.0;
+    hypothesis.is_spared = lost > kMostWhereKept && hypothesis.is_kept &&
+                           mostFits(refiner, hypothesis.T_map_base, usual);
+    if (hypothesis.is_spared) lost = kMostWhereKept;
+    const double told = senses[static_cast<Eigen::Index>(i)] - lost;
     hypothesis.log_odds += (hypothesis.is_new ? 1.0 : share) * told;
     hypothesis.is_new = false;
   }
 }
 
+/// Word rules out nothing, nor does a place that is spared rule out what explains the scan.
 void Hypotheses::prune() {
   std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.log_odds > b.log_odds;
   });
-  const double limit = bestOdds() - kMargin;
+  double best = -std::numeric_limits<double>::infinity();
+  bool is_disputed = false;
+  for (const Hypothesis& hypothesis : all_) {
+    best = std::max(best, hypothesis.log_odds - hypothesis.word);
+    is_disputed = is_disputed || hypothesis.is_spared;
+  }
   std::vector<Hypothesis> before;
   before.swap(all_);
   for (const Hypothesis& hypothesis : before) {
-    if (hypothesis.log_odds >= limit && !knows(hypothesis.T_map_base)) all_.push_back(hypothesis);
+    const bool is_likely = hypothesis.log_odds >= best - kMargin;
+    const bool is_left = is_likely || (is_disputed && hypothesis.is_explained);
+    if (is_left && !knows(hypothesis.T_map_base)) all_.push_back(hypothesis);
   }
 }
 

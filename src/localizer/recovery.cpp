@@ -11,15 +11,11 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kLateMalus = 3.0;  // of places that an earlier search did not find
+constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
 constexpr double kLostFit = 0.2, kFoundFit = 0.5;  // below, above: a scan gainsays, confirms
-
-double wayOf(const Pose2& motion) {
-  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
-}
 
 }  // namespace
 
@@ -123,7 +119,7 @@ void Recovery::open(const Pose2& T_map_base) {
   settle();
   is_settled_ = false;
   pace_.begin();
-  hypotheses_.add(T_map_base, odds_.value());
+  hypotheses_.addKept(T_map_base, odds_);
 }
 
 void Recovery::settle() {
@@ -138,16 +134,20 @@ void Recovery::settle() {
 /// Where the core believes to be counts as well, once something is known, whether the search finds
 /// it or not.
 void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
-  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.bestOdds() - kLateMalus);
+  hypotheses_.note(T_map_base);
+  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus));
   // while no place explains the scans each may be the one that tells, but searching is not free
-  if (pace_.isDue(searched_ && explained_)) search(observations);
+  const bool has_places = searched_ && explained_;
+  if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
   hypotheses_.weigh(observations, std::min(1.0, way_ / kNewWay), usual_.value());
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
   explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  contradictions_ = explained_ && !hypotheses_.knows(T_map_base) ? contradictions_ + 1 : 0;
-  if (!searched_ || modes_.size() != 1 || !areSamePlace(modes_[0].T_map_base, T_map_base)) return;
+  const bool is_elsewhere = hypotheses_.isCoreBeside() || !hypotheses_.knows(T_map_base);
+  contradictions_ = explained_ && is_elsewhere ? contradictions_ + 1 : 0;
+  const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
+  if (!searched_ || contradictions_ > 0 || !is_one) return;
   settle();
   odds_.find();
   pace_.searched(unexplained_ == 0);
@@ -157,8 +157,8 @@ void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = ground_.places->search(observations);
   if (!ground_.places->isReadyFor(observations.scan)) return;  // that was no answer
   told_.checked();
-  const double entry = searched_ ? hypotheses_.bestOdds() - kLateMalus : 0.0;
-  for (const Place& place : places) hypotheses_.add(place.T_map_base, entry);
+  const double odds = searched_ ? hypotheses_.entry(kLateMalus) : 0.0;
+  for (const Place& place : places) hypotheses_.add(place.T_map_base, odds);
   pace_.searched(!places.empty() && places.front().error < kExplained);
   searched_ = searched_ || !hypotheses_.isEmpty();
 }
@@ -168,11 +168,12 @@ void Recovery::conclude() {
   was_tracking_ = was_tracking_ || status_ == Status::kTracking;
 }
 
-/// An initial pose is not "tracking" before a scan could contradict it.
+/// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
+/// no scan told it from all others.
 Status Recovery::judge() const {
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
   if (told_.isUnverified()) return Status::kGlobalizing;
-  if (!is_settled_) {
+  if (!is_settled_ && !(hypotheses_.isByWord() && told_.isFresh())) {
     const bool fits = confidence_.latestFit() >= kFoundFit;
     return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
   }

@@ -24,15 +24,16 @@ double RangeError::missing(const Pose2& ray, double range, double max_range) con
 
 RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double max_range) const {
   constexpr Eigen::Index kBeams = 90;  // are enough for a mean
-  constexpr double kShort = 0.25;      // m
+  constexpr double kOff = 0.25;        // m
   const Eigen::Vector2d sensor = T_map_base * scan.position;
   double sum = 0.0;
-  int count = 0, too_short = 0;
+  int count = 0, too_short = 0, too_long = 0;
   const auto add = [&](double bearing, double range) {
     const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + bearing)};
     const double off = missing(ray, std::min(range, max_range), max_range);
     sum += std::min(std::abs(off), truncation_);
-    too_short += off > kShort ? 1 : 0;
+    too_short += off > kOff ? 1 : 0;
+    too_long += off < -kOff ? 1 : 0;
     ++count;
   };
   const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
@@ -43,8 +44,9 @@ RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double
   for (Eigen::Index i = 0; i < scan.no_return_bearing.size(); i += stride) {
     add(scan.no_return_bearing[i], max_range);
   }
-  if (count == 0) return {truncation_, 0.0};
-  return {sum / count, static_cast<double>(too_short) / count};
+  if (count == 0) return {truncation_};
+  return {sum / count, static_cast<double>(too_short) / count,
+          static_cast<double>(too_short + too_long) / count};
 }
 
 }  // namespace adaptive_localization

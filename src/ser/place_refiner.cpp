@@ -36,6 +36,15 @@ double PlaceRefiner::misfit(const Pose2& T_map_base) const {
   return sum;
 }
 
+double PlaceRefiner::hitShare(const Pose2& T_map_base, double distance) const {
+  if (scan_.hits() == 0) return 0.0;
+  int near = 0;
+  for (Eigen::Index i = 0; i < scan_.x.size(); ++i) {
+    near += field_.at(T_map_base * Eigen::Vector2d(scan_.x[i], scan_.y[i])) < distance ? 1 : 0;
+  }
+  return static_cast<double>(near) / scan_.hits();
+}
+
 Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   const auto cost = [&](const Pose2& pose) {
     const double way = distance(pose, T_map_base) / 0.1;
@@ -46,7 +55,7 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   double step = std::max(0.04, 0.5 * field_.lattice().resolution());  // m
   double turn = 0.5 * kDirectionStep;                                 // rad
   double best = cost(pose);
-  while (step > 0.005) {
+  while (step > (stiffness > 0.0 ? 0.0015 : 0.005)) {
     const Pose2 moves[] = {{step, 0, 0},  {-step, 0, 0}, {0, step, 0},
                            {0, -step, 0}, {0, 0, turn},  {0, 0, -turn}};
     bool better = false;

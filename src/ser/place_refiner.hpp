@@ -22,10 +22,16 @@ class PlaceRefiner {
   /// the scan does not fix the pose, as along a wall, it stays.
   Place refine(const Pose2& T_map_base, double stiffness = 0.0) const;
 
-  /// The mean range error, truncated, both ranges cut off at max_range.
-  double error(const Pose2& T_map_base) const {
-    return range_error_.at(T_map_base, scan_, max_range_).error;
+  /// Of ranges, truncated, both cut off at max_range.
+  RangeError::Fit fit(const Pose2& T_map_base) const {
+    return range_error_.at(T_map_base, scan_, max_range_);
   }
+
+  /// Share of the hits that are nearer to obstacles than this, whatever stands before them.
+  double hitShare(const Pose2& T_map_base, double distance) const;
+
+  /// The mean range error.
+  double error(const Pose2& T_map_base) const { return fit(T_map_base).error; }
 
  private:
   double misfit(const Pose2& T_map_base) const;

@@ -101,5 +101,91 @@ TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {
   EXPECT_EQ(hypotheses.modes().size(), 1U);
 }
 
+/// The symmetric room with a cupboard in one half of it.
+std::shared_ptr<const OccupancyGrid> roomWithCupboard() {
+  std::vector<std::int8_t> cells = symmetricWorld()->cells();
+  const Lattice& lattice = symmetricWorld()->lattice();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell c = lattice.cell(i);
+    if (c.x >= 60 && c.x < 66 && c.y >= 16 && c.y < 24) cells[i] = OccupancyGrid::kOccupied;
+  }
+  return std::make_shared<const OccupancyGrid>(lattice, std::move(cells));
+}
+
+const Pose2 kBeforeTheCupboard{2.3, 1.0, 0.0};  // which is not there any more
+const Pose2 kTwin{3.7, 2.0, kPi};
+
+Observations seenWithoutIt() {  // of its twin no beam comes near it
+  return ToyLaser{91, -kPi / 4, kPi / 4, 12.0}.observe(symmetricWorld(), kBeforeTheCupboard);
+}
+
+TrackingOdds tracked(double metres) {
+  TrackingOdds odds(true);
+  odds.find();
+  odds.earn({metres, 0.0, 0.0});
+  return odds;
+}
+
+TEST(Hypotheses, AKeptPlaceWhereSomethingWasMovedLosesLittleByLittle) {
+  Hypotheses kept(roomWithCupboard());
+  kept.addKept(kBeforeTheCupboard, tracked(1.0));  // 12 nats
+  kept.add(kTwin, 0.0);
+  Hypotheses other(roomWithCupboard());
+  other.add(kBeforeTheCupboard, 12.0);
+  other.add(kTwin, 0.0);
+  for (Hypotheses* hypotheses : {&kept, &other}) {
+    for (int i = 0; i < 3; ++i) hypotheses->weigh(seenWithoutIt(), 1.0, kUsual);
+    hypotheses->prune();
+  }
+  EXPECT_GT(massOf(kept, kBeforeTheCupboard), 0.99);
+  EXPECT_TRUE(kept.knows(kTwin));  // which explains the scans
+  EXPECT_FALSE(other.knows(kBeforeTheCupboard));
+}
+
+TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutAtOnce) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(kWrong, tracked(3.0));
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.prune();
+  EXPECT_FALSE(hypotheses.knows(kWrong));
+}
+
+TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {
+  const auto seen =
+      ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), kBeforeTheCupboard);
+  for (const bool is_word : {true, false}) {
+    Hypotheses hypotheses(symmetricWorld());
+    hypotheses.addKept(kBeforeTheCupboard, is_word ? TrackingOdds(true) : tracked(0.0));
+    hypotheses.add(kTwin, 0.0);
+    hypotheses.weigh(seen, 1.0, kUsual);
+    hypotheses.prune();
+    EXPECT_EQ(hypotheses.knows(kTwin), is_word);
+    EXPECT_EQ(hypotheses.isByWord(), is_word);
+  }
+}
+
+TEST(Hypotheses, APlaceThatComesLateHasNoAdvantage) {
+  Hypotheses hypotheses(roomWithCupboard());
+  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0), -3.0);
+  hypotheses.addKept(kBeforeTheCupboard, tracked(1.0));
+  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0), 0.0);
+  hypotheses.add(kTwin, 0.0);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), 1.0, kUsual);
+  EXPECT_NEAR(hypotheses.entry(3.0), -6.0, 1e-9);  // what the kept one has lost
+}
+
+TEST(Hypotheses, TellsThatACoreIsBesideItsPlace) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.note(kTruth * Pose2{0.05, 0.0, 0.01});
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_FALSE(hypotheses.isCoreBeside());
+  hypotheses.note(kTruth * Pose2{0.25, 0.15, 0.2});
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_TRUE(hypotheses.isCoreBeside());
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
+}
+
 }  // namespace
 }  // namespace adaptive_localization

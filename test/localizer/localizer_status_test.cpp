@@ -95,13 +95,19 @@ TEST(LocalizerStatus, DoesNotSayTrackingBeforeAScanWasAskedAboutAnInitialPose) {
   }
 }
 
-TEST(LocalizerStatus, BelievesAnInitialPoseThatOneOfTwoTwinsFits) {
+/// Where the robot is when it is told, no scan can tell more.
+TEST(LocalizerStatus, KeepsAnInitialPoseThatOneOfTwoTwinsFits) {
   const auto map = symmetricWorld();
   Localizer localizer(parametersWith({{"filter", std::string("ekf_icp")}}), map);
   const Pose2 place{1.0, 1.0, 0.3};
   localizer.reset(Gaussian2{place, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
   const auto seen = ToyLaser{}.observe(map, place);
-  EXPECT_EQ(localizer.update({}, seen).status, Status::kTracking);
+  Localization answer;
+  for (int i = 0; i < 5; ++i) answer = localizer.update({}, seen);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_THAT(answer.T_map_base, PoseNear(place, 0.05, 0.05));
+  ASSERT_EQ(answer.modes.size(), 2U);
+  EXPECT_GT(answer.modes.front().mass, 0.99);
 }
 
 TEST(LocalizerStatus, IsAmbiguousWhereTwoPlacesLookAlike) {

@@ -17,11 +17,11 @@ Pose2 twinOf(const Pose2& pose) {
 
 class EveryCore : public testing::TestWithParam<std::string> {
  protected:
-  /// Drives some steps from `truth` on, with a compass that is off by so much.
+  /// Drives some steps to and fro, with a compass that is off by so much.
   Localization drive(Localizer& localizer, Pose2& truth, int steps, double compass_error) {
     Localization answer;
     for (int i = 0; i < steps; ++i) {
-      const Pose2 motion{0.1, 0.0, 0.0};
+      const Pose2 motion{i % 24 < 12 ? 0.1 : -0.1, 0.0, 0.0};
       truth = truth * motion;
       odometry_ = odometry_ * motion;
       Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(map_, truth);
@@ -43,7 +43,7 @@ TEST_P(EveryCore, KnowsByACompassWhichEndOfASymmetricRoomItIsIn) {
     if (is_turned) truth = twinOf(truth);
     localizer_.reset(Anywhere{});
     odometry_ = {};
-    const Localization answer = drive(localizer_, truth, 12, 0.05);
+    const Localization answer = drive(localizer_, truth, 36, 0.05);
     EXPECT_EQ(answer.status, Status::kTracking);
     EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
   }

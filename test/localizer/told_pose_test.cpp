@@ -27,6 +27,14 @@ TEST(ToldPose, IsCheckedAtOnceAndThenEverFartherApart) {
   EXPECT_FALSE(told.isCheckDue());
 }
 
+TEST(ToldPose, IsFreshUntilTheRobotHasDrivenOn) {
+  ToldPose told(true);
+  told.travel(0.25);
+  EXPECT_TRUE(told.isFresh());
+  told.travel(0.1);
+  EXPECT_FALSE(told.isFresh());
+}
+
 TEST(ToldPose, OfNobodyIsNeverChecked) {
   ToldPose nobody(false);
   nobody.travel(100.0);

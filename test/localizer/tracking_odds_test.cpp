@@ -23,6 +23,24 @@ TEST(TrackingOdds, AnInitialPoseIsWorthMoreThanAPlaceJustFound) {
   EXPECT_GT(TrackingOdds(true).value(), TrackingOdds(false).value());
 }
 
+TEST(TrackingOdds, AreSomebodysWordUntilScansTell) {
+  TrackingOdds odds(true);
+  EXPECT_DOUBLE_EQ(odds.word(), odds.value());
+  odds.seeNothing();
+  EXPECT_DOUBLE_EQ(odds.word(), odds.value());  // never more than all
+  odds.find();
+  EXPECT_EQ(odds.word(), 0.0);
+  EXPECT_EQ(TrackingOdds(false).word(), 0.0);
+}
+
+TEST(TrackingOdds, KeepAPlaceOnceTheyAreWhatAWordIsWorth) {
+  EXPECT_TRUE(TrackingOdds(true).isKept());
+  TrackingOdds odds(false);
+  EXPECT_FALSE(odds.isKept());
+  odds.earn({2.1, 0.0, 0.0});
+  EXPECT_TRUE(odds.isKept());
+}
+
 TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
   TrackingOdds odds(true);
   for (int i = 0; i < 30; ++i) odds.seeNothing();

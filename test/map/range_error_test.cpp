@@ -31,6 +31,16 @@ TEST(RangeError, IsTheMeanOfTruncatedDifferences) {
   EXPECT_NEAR(fit.short_share, 0.2, 1e-9);
 }
 
+TEST(RangeError, CountsBeamsThatAreTooShortAndThoseThatAreOff) {
+  const auto map = toyWorld({"#..........#"}, 0.1, {}, 5);
+  Scan scan = ToyLaser{21, -0.1, 0.1, 12.0}.observe(map, {1.0, 0.25, 0.0}).scan;
+  scan.range.head(7) -= 0.3F;
+  scan.range.tail(2) += 0.8F;  // through the wall
+  const auto fit = RangeError(map).at({1.0, 0.25, 0.0}, scan);
+  EXPECT_NEAR(fit.short_share, 7.0 / 21.0, 1e-9);
+  EXPECT_NEAR(fit.off_share, 9.0 / 21.0, 1e-9);
+}
+
 TEST(RangeError, NoReturnsCountAsTheLargestRange) {
   Scan scan;
   scan.max_range = 2.0;

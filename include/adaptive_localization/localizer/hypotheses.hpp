@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/localizer/tracking_odds.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
+#include "adaptive_localization/ser/place.hpp"
 
 namespace adaptive_localization {
+
+class PlaceRefiner;
 
 /// Places where the robot may be, with log odds. They ride on the odometry, are aligned with each
 /// scan, and are judged by their mean range error e against the least of all:
@@ -17,9 +22,10 @@ namespace adaptive_localization {
 /// w <= 1 is the share of the scan that is new, t what maps are off by, s_0 the error that makes a
 /// place e times less likely where the map is good. Where even the best place leaves much
 /// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as
-/// is usual may be of something that the map does not have, and says little of any place. Unlike
-/// the modes of a particle cloud, masses of places that look the same do not drift: only what is
-/// seen decides between them.
+/// is usual may be of something that the map does not have, and says little of any place. Where the
+/// robot was known to be, and most of the scan fits, furniture may have been moved: such a place
+/// loses little by little. Unlike the modes of a particle cloud, masses of places that look the
+/// same do not drift: only what is seen decides between them.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())
@@ -34,18 +40,33 @@ class Hypotheses {
   void clear() { all_.clear(); }
   bool isEmpty() const { return all_.empty(); }
 
-  /// One more place, unless it is known or not finite.
+  /// One more place, unless it is known, not finite, or one too many.
   void add(const Pose2& T_map_base, double log_odds);
+
+  /// The place where the robot was told or known to be, with the odds that it has before a scan is
+  /// looked at.
+  void addKept(const Pose2& T_map_base, const TrackingOdds& odds);
 
   bool knows(const Pose2& T_map_base) const;
 
-  /// The largest log odds; 0 without a place.
-  double bestOdds() const;
+  /// Log odds of a place that comes later, as if it had fitted as well as the best so far, but for
+  /// a malus: a kept place is ruled out by what is seen from then on.
+  double entry(double malus) const;
+
+  /// Whether somebody's word is for one of the places: later places are no better than those that
+  /// explained the first scan as well as it did.
+  bool isByWord() const;
 
   /// The least mean range error of the last scan, m.
   double leastError() const { return least_error_; }
 
   void ride(const Pose2& motion);
+
+  /// Where a core is: its place will be looked for from there, too.
+  void note(const Pose2& T_map_core);
+
+  /// The core is beside its place: a step away the last scan fits far better.
+  bool isCoreBeside() const { return is_core_beside_; }
 
   /// Aligns all with a scan and takes note of what it and the other senses say of them.
   void weigh(const Observations& observations, double share, double usual);
@@ -60,9 +81,20 @@ class Hypotheses {
   struct Hypothesis {
     Pose2 T_map_base;
     double log_odds{0.0};
-    double error{0.0};
-    bool is_new{true};  // not judged yet: a scan counts in full
+    double prior{0.0};  // of the odds, before any scan
+    double word{0.0};   // of that, what somebody said and no scan
+    bool is_kept{false};
+    std::optional<Pose2> T_map_core{};
+    bool is_new{true};         // not judged yet: a scan counts in full
+    double error{0.0};         // of the last scan, m
+    bool is_explained{false};  // it speaks against no place less
+    bool is_spared{false};     // it would rule the place out, were it not kept and did not most fit
   };
+
+  Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
+                    double usual);
+
+  void align(const PlaceRefiner& refiner, double usual);
 
   /// Of each, by the senses other than the laser.
   Eigen::ArrayXd scores(const Observations& observations) const;
@@ -70,6 +102,7 @@ class Hypotheses {
   Ground ground_;
   Senses senses_;
   double least_error_{0.0};
+  bool is_core_beside_{false};
   std::vector<Hypothesis> all_;
 };
 

@@ -16,7 +16,13 @@ class ToldPose {
   bool isCheckDue() const { return is_unverified_ || (next_ > 0.0 && left_ <= 0.0); }
 
   /// Metres, or radians.
-  void travel(double way) { left_ -= way; }
+  void travel(double way) {
+    left_ -= way;
+    way_ += way;
+  }
+
+  /// The robot is still about where it was told to be: from there no scan can tell more.
+  bool isFresh() const { return way_ < kFresh; }
 
   /// It was compared with all other places.
   void checked() {
@@ -26,10 +32,10 @@ class ToldPose {
   }
 
  private:
-  static constexpr double kFirst = 0.5, kLast = 10.0;  // m or rad
+  static constexpr double kFirst = 0.5, kLast = 10.0, kFresh = 0.3;  // m or rad
 
   bool is_unverified_{false};
-  double left_{0.0};
+  double left_{0.0}, way_{0.0};
   double next_{0.0};  // 0: no more
 };
 

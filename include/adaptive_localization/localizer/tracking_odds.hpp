@@ -14,9 +14,17 @@ namespace adaptive_localization {
 class TrackingOdds {
  public:
   TrackingOdds() = default;
-  explicit TrackingOdds(bool is_told) : value_(is_told ? kTold : kFound) {}
+  explicit TrackingOdds(bool is_told)
+      : value_(is_told ? kTold : kFound), word_(is_told ? kTold : 0.0) {}
 
   double value() const { return value_; }
+
+  /// How much of it is only somebody's word: no scan has told the place from all others yet.
+  double word() const { return std::min(word_, value_); }
+
+  /// There is so much that what stands about the robot may have changed, little by little, rather
+  /// than the robot's place.
+  bool isKept() const { return value_ >= kTold; }
 
   void earn(const Pose2& motion) {
     const double earned = value_ + kPerMetre * std::hypot(motion.x, motion.y);
@@ -32,12 +40,16 @@ class TrackingOdds {
   }
 
   /// The scans left no other place.
-  void find() { value_ = std::max(value_, kFound); }
+  void find() {
+    value_ = std::max(value_, kFound);
+    word_ = 0.0;
+  }
 
  private:
   static constexpr double kTold = 9.0, kFound = 3.0, kMost = 18.0, kPerMetre = 3.0;
 
   double value_{kFound};
+  double word_{0.0};
 };
 
 }  // namespace adaptive_localization

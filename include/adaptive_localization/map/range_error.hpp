@@ -25,6 +25,7 @@ class RangeError {
   struct Fit {
     double error{kTruncation};  // mean per beam, m; the truncation for a scan without beams
     double short_share{0.0};    // of the beams: too short by 0.25 m and more
+    double off_share{0.0};      // the same, too short or too long
   };
 
   explicit RangeError(std::shared_ptr<const OccupancyGrid> map, double truncation = kTruncation,

@@ -16,7 +16,7 @@ struct GlobalSearchOptions {
   double search_truncation{0.5};
   double search_margin{0.05};
   double search_max_error{0.3};
-  int search_max_places{100};
+  int search_max_places{400};
   int search_max_visits{6000000};
 
   template <class Visitor>
