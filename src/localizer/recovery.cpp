@@ -12,7 +12,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
-
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
 constexpr double kLostFit = 0.2, kFoundFit = 0.5;  // below, above: a scan gainsays, confirms
@@ -165,7 +164,7 @@ void Recovery::search(const Observations& observations) {
 
 void Recovery::conclude() {
   status_ = judge();
-  was_tracking_ = was_tracking_ || status_ == Status::kTracking;
+  was_tracking_ = was_tracking_ || (is_settled_ && status_ == Status::kTracking);
 }
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
