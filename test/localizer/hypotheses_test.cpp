@@ -103,8 +103,9 @@ TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {
 
 /// The symmetric room with a cupboard in one half of it.
 std::shared_ptr<const OccupancyGrid> roomWithCupboard() {
-  std::vector<std::int8_t> cells = symmetricWorld()->cells();
-  const Lattice& lattice = symmetricWorld()->lattice();
+  const auto room = symmetricWorld();
+  const Lattice& lattice = room->lattice();
+  std::vector<std::int8_t> cells = room->cells();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell c = lattice.cell(i);
     if (c.x >= 60 && c.x < 66 && c.y >= 16 && c.y < 24) cells[i] = OccupancyGrid::kOccupied;

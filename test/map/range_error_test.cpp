@@ -71,8 +71,9 @@ TEST(RangeError, ABeamMayEndAnywhereInAWall) {
 
 TEST(RangeError, LooksThroughWhatTheMapHasWhereTheRobotStands) {
   const Scan scan = scanAt(kPlace);
-  std::vector<std::int8_t> cells = asymmetricWorld()->cells();
-  const Lattice& lattice = asymmetricWorld()->lattice();
+  const auto world = asymmetricWorld();
+  std::vector<std::int8_t> cells = world->cells();
+  const Lattice& lattice = world->lattice();
   for (double x = -0.2; x <= 0.2; x += 0.05) {
     for (double y = -0.2; y <= 0.2; y += 0.05) {
       cells[lattice.index(lattice.cellAt({kPlace.x + x, kPlace.y + y}))] = OccupancyGrid::kOccupied;
