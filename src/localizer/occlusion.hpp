@@ -8,7 +8,7 @@ namespace adaptive_localization {
 /// A hand before the laser, or somebody who stands there, looks like a corner of the map somewhere:
 /// a scan that sees hardly anything beyond arm's length is no evidence.
 inline bool isCovered(const Scan& scan) {
-  constexpr double kArm = 1.1;    // m
+  constexpr double kArm = 0.6;    // m
   constexpr double kShare = 0.1;  // of the beams
   const Eigen::Index far =
       (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();

@@ -170,9 +170,10 @@ void Recovery::conclude() {
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others.
 Status Recovery::judge() const {
-  const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
   if (told_.isUnverified()) return Status::kGlobalizing;
-  if (!is_settled_ && !(hypotheses_.isByWord() && told_.isFresh())) {
+  const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
+  const bool is_taken = hypotheses_.isByWord() && told_.isFresh() && unexplained_ == 0;
+  if (!is_settled_ && !is_taken) {
     const bool fits = confidence_.latestFit() >= kFoundFit;
     return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
   }
@@ -197,7 +198,7 @@ double Recovery::shareOf(const Pose2& T_map_base) const {
 /// is no reason to jump.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   constexpr double kRuledOut = 0.05;  // mass
-  constexpr double kLikely = 0.5;     // mass
+  constexpr double kLikely = 0.97;    // mass
   constexpr double kWell = 0.1;       // m
   if (!was_tracking_ || status_ == Status::kTracking) return true;
   if (status_ != Status::kAmbiguous) return false;

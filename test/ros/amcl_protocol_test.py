@@ -108,8 +108,9 @@ class AmclProtocol(unittest.TestCase):
     def test_transform_stays_right(self):
         drive = self.start()
         self.wait(lambda: drive.now, "the simulator")
-        begin = drive.now[0]
         self.tell(drive)
+        self.wait(lambda: self.tf.can_transform("map", "base_link", rospy.Time(0)), "tf")
+        begin = self.tf.get_latest_common_time("map", "base_link").to_sec()
         self.wait(lambda: not drive.route, "the end of the route")
         last = drive.notes[-1][0]
         self.wait(lambda: self.tf.can_transform("map", "base_link", rospy.Time.from_sec(last)),
