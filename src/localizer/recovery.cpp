@@ -130,8 +130,7 @@ void Recovery::settle() {
   modes_.clear();
 }
 
-/// Where the core believes to be counts as well, once something is known, whether the search finds
-/// it or not.
+/// Where the core believes to be counts as well, whether the search finds it or not.
 void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   hypotheses_.note(T_map_base);
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus));
