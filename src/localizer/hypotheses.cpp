@@ -19,13 +19,15 @@ constexpr double kToleranceShare = 0.25;
 constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
 constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
-constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well
-constexpr double kMostWhereKept = 2.0;   // the same, of a kept place that explains most beams:
-constexpr double kMostBeams = 0.6;       // what stands there may have changed,
-constexpr double kMostHits = 0.9;        // by ranges or by where hits are
-constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
-constexpr double kPlaceStd = 0.05;       // m, of a place aligned with a scan
-constexpr double kPlaceTurnStd = 0.03;   // rad
+constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
+constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
+constexpr double kMostOfTold = 2.0;      // that any scan says of a kept place which explains most
+constexpr double kMostOfTracked = 1.5;   // of its beams: what stands there may have changed
+constexpr double kMostBeams = 0.6;
+constexpr double kMostHits = 0.9;
+constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum over a scan's hits
+constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
+constexpr double kPlaceTurnStd = 0.03;  // rad
 
 Eigen::Matrix3d placeCovariance() {
   return Eigen::Vector3d(kPlaceStd * kPlaceStd, kPlaceStd * kPlaceStd,
@@ -147,15 +149,16 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   align(refiner, usual);
   const bool fits =
       least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
-  const double most = fits ? std::numeric_limits<double>::infinity() : kMostWithoutFit;
   const Eigen::ArrayXd senses = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
-    double lost = std::min(most, loss(hypothesis.error, least_error_, usual));
+    double lost = loss(hypothesis.error, least_error_, usual);
+    if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
     hypothesis.is_explained = lost == 0.0;
-    hypothesis.is_spared = lost > kMostWhereKept && hypothesis.is_kept &&
-                           mostFits(refiner, hypothesis.T_map_base, usual);
-    if (hypothesis.is_spared) lost = kMostWhereKept;
+    const double most = hypothesis.word > 0.0 ? kMostOfTold : kMostOfTracked;
+    hypothesis.is_spared =
+        lost > most && hypothesis.is_kept && mostFits(refiner, hypothesis.T_map_base, usual);
+    if (hypothesis.is_spared) lost = most;
     const double told = senses[static_cast<Eigen::Index>(i)] - lost;
     hypothesis.log_odds += (hypothesis.is_new ? 1.0 : share) * told;
     hypothesis.is_new = false;

@@ -160,7 +160,10 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     updateBelief(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
     const Pose2 by_odometry = last_.T_map_odom * T_odom_base;
-    last_.T_map_odom = recovery_->published(by_odometry, last_.estimate) * inverse(T_odom_base);
+    const Pose2 T_map_base = setup_.options.recovery
+                                 ? recovery_->published(by_odometry, last_.estimate)
+                                 : last_.estimate.T_map_base;
+    last_.T_map_odom = T_map_base * inverse(T_odom_base);
     update_requested_ = false;
   } else if (recovery_->isUnverified(observations.scan)) {  // even where the robot stands still
     recovery_->verify(last_.estimate, observations);

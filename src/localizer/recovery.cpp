@@ -192,16 +192,16 @@ double Recovery::shareOf(const Pose2& T_map_base) const {
   return 0.0;
 }
 
-/// A robot that was known to be somewhere is there until that place is ruled out and another one,
-/// that explains the scan well, is likelier than all others: what a core makes of a blocked laser
-/// is no reason to jump.
+/// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
+/// out and another one, that explains the scan well, is likelier than all others: what a core makes
+/// of a blocked laser is no reason to jump.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   constexpr double kRuledOut = 0.05;  // mass
   constexpr double kLikely = 0.97;    // mass
   constexpr double kWell = 0.1;       // m
   if (!was_tracking_ || status_ == Status::kTracking) return true;
+  if (areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
   if (status_ != Status::kAmbiguous) return false;
-  if (isSmallStep(T_map_base_by_odometry, T_map_base)) return true;
   return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
          shareOf(T_map_base) > kLikely;
 }
@@ -211,7 +211,7 @@ Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& e
   if (isCorrection(T_map_base_by_odometry, estimate.T_map_base)) return estimate.T_map_base;
   if (status_ != Status::kAmbiguous) return T_map_base_by_odometry;
   for (const Mode& mode : modes_) {
-    const bool is_held = isSmallStep(T_map_base_by_odometry, mode.T_map_base);
+    const bool is_held = areSamePlace(T_map_base_by_odometry, mode.T_map_base);
     if (is_held && mode.mass > kFair) return mode.T_map_base;
   }
   return T_map_base_by_odometry;

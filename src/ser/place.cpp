@@ -10,10 +10,6 @@ bool areSamePlace(const Pose2& a, const Pose2& b) {
   return distance(a, b) < 0.5 && std::abs(wrapAngle(a.theta - b.theta)) < kPi / 9.0;
 }
 
-bool isSmallStep(const Pose2& from, const Pose2& to) {
-  return distance(from, to) < 0.1 && std::abs(wrapAngle(to.theta - from.theta)) < 0.1;
-}
-
 std::vector<Place> distinctPlaces(const std::vector<Place>& places) {
   std::vector<Place> distinct;
   for (const Place& place : places) {

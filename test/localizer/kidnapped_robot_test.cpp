@@ -33,7 +33,7 @@ class KidnappedRobot : public testing::Test {
                                           int seed = 1) const {
     auto localizer = make(name, preset, seed);
     localizer->reset(Gaussian2{kHere, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
-    for (int i = 0; i < 10; ++i) update(*localizer, {}, seenFrom(kHere));
+    for (int i = 0; i < 40; ++i) update(*localizer, {}, seenFrom(kHere));  // 4 s of a laser
     return localizer;
   }
 

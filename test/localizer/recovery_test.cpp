@@ -219,6 +219,27 @@ TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
 }
 
+/// As on a poor map: what is published must not be worse than what a core makes of it alone.
+TEST(Recovery, WhileNoScanFitsThePoseIsWhereTheCoreHasIt) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  const Pose2 by_odometry = truth * Pose2{0.15, -0.2, 0.2};  // wheels slip
+  Observations seen = watched.laser.observe(watched.map, truth);
+  Scan& scan = seen.scan;
+  for (Eigen::Index i = 0; i < scan.range.size(); ++i) {  // no place of this map looks so
+    const float share = i % 3 == 0 ? 1.0F : 0.6F;
+    for (Eigen::ArrayXf* lengths : {&scan.x, &scan.y, &scan.range}) (*lengths)[i] *= share;
+  }
+  for (int i = 0; i < 5; ++i) watched.observe(seen, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kLost);
+  const Estimate core{truth, Eigen::Matrix3d::Identity(), {}};
+  EXPECT_EQ(watched.recovery.published(by_odometry, core).y, truth.y);
+  const Estimate far{{7.5, 4.1, 2.0}, Eigen::Matrix3d::Identity(), {}};
+  EXPECT_EQ(watched.recovery.published(by_odometry, far).y, by_odometry.y);
+}
+
 TEST(Recovery, OddsOfTrackingGrowWithTheWay) {
   const Pose2 twin_side{2.3, 1.0, 0.0};
   double before = 0.0;

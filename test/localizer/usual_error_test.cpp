@@ -7,13 +7,15 @@
 
 namespace adaptive_localization {
 
-TEST(UsualError, FallsAtOnceAndRisesSlowly) {
+TEST(UsualError, FallsSlowlyAndRisesMoreSlowly) {
   UsualError usual;
   const double first = usual.value();
   for (int i = 0; i < 10; ++i) usual.observe(10.0);  // a covered laser
   EXPECT_LT(usual.value(), 1.25 * first);
   EXPECT_GT(usual.value(), 1.1 * first);
-  for (int i = 0; i < 10; ++i) usual.observe(0.01);
+  for (int i = 0; i < 5; ++i) usual.observe(0.01);  // a corner that is mapped well
+  EXPECT_GT(usual.value(), 0.8 * first);
+  for (int i = 0; i < 60; ++i) usual.observe(0.01);
   EXPECT_LT(usual.value(), 0.02);
 }
 

@@ -22,10 +22,10 @@ class PlaceRefiner;
 /// w <= 1 is the share of the scan that is new, t what maps are off by, s_0 the error that makes a
 /// place e times less likely where the map is good. Where even the best place leaves much
 /// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as
-/// is usual may be of something that the map does not have, and says little of any place. Where the
-/// robot was known to be, and most of the scan fits, furniture may have been moved: such a place
-/// loses little by little. Unlike the modes of a particle cloud, masses of places that look the
-/// same do not drift: only what is seen decides between them.
+/// is usual may be of something that the map does not have, and says little of any place, least of
+/// all of the one where the robot was known to be. Where most of a scan fits such a place,
+/// furniture may have been moved: it loses little by little. Unlike the modes of a particle cloud,
+/// masses of places that look the same do not drift: only what is seen decides between them.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())

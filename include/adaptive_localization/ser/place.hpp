@@ -16,9 +16,6 @@ struct Place {
 /// Nearer than half a metre and 20 degrees.
 bool areSamePlace(const Pose2& a, const Pose2& b);
 
-/// Nearer than 0.1 m and 0.1 rad: a pose may be corrected so far without having jumped.
-bool isSmallStep(const Pose2& from, const Pose2& to);
-
 /// The first of each group of places that are one.
 std::vector<Place> distinctPlaces(const std::vector<Place>& places);
 
