@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ekf_icp.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptive_localization/particle/gaussian_cloud.hpp"
@@ -10,7 +11,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kJump = 0.5;           // m, rad: odometry that may have jumped
+constexpr double kJump = 0.5;           // m, rad: odometry that may have jumped,
+constexpr double kFast = 2.0;           // m/s, rad/s: if it did so faster than robots drive
 constexpr double kBetter = 1.2;         // inlier ratio of a place against that of one at hand
 constexpr double kNewPlaceStd = 0.05;   // m, of a place just found, beyond what the match says
 constexpr double kNewPlaceTurn = 0.02;  // rad
@@ -19,6 +21,11 @@ Gaussian2 newPlace(const Pose2& T_map_base) {
   return {T_map_base, Eigen::Vector3d(kNewPlaceStd * kNewPlaceStd, kNewPlaceStd * kNewPlaceStd,
                                       kNewPlaceTurn * kNewPlaceTurn)
                           .asDiagonal()};
+}
+
+bool mayBeJump(const Pose2& motion, double seconds) {
+  const double most = std::max(distance({}, motion), std::abs(motion.theta));
+  return most > kJump && most > kFast * seconds;
 }
 
 Gaussian2 heaviestOf(const Particles& cloud) {
@@ -61,9 +68,8 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   if (anywhere_) startAt(observations);
   tracker_.correctBy(*parts_.senses, observations);
   match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
-  if (distance({}, motion) > kJump || std::abs(motion.theta) > kJump) {
-    undoJump(before, observations.scan);
-  }
+  if (mayBeJump(motion, observations.stamp - stamp_)) undoJump(before, observations.scan);
+  stamp_ = observations.stamp;
   if (anywhere_ && match_->isGood()) match_->fault = MatchFault::kNoGuess;
   correct();
   if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);

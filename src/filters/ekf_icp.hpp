@@ -75,7 +75,8 @@ class EkfIcp : public Filter {
   Particles cloud_;
   std::optional<Match> match_;
   bool anywhere_{false};
-  int gainsaid_{0};  // good matches in a row
+  double stamp_{0.0};  // of the last update, s
+  int gainsaid_{0};    // good matches in a row
 };
 
 }  // namespace adaptive_localization

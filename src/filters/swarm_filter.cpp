@@ -20,7 +20,6 @@ constexpr double kStrangeRatio = 2.5;  // of costs, at which a fix may gainsay o
 constexpr int kStrangeScans = 2;       // so many times in a row
 constexpr double kHopeless = 0.8;      // share of the worst cost that tells nothing, unmatched
 constexpr double kUnsure = 9.0;  // a place found anew is so much less sure than its bats agree
-constexpr double kStrange[] = {10.83, 13.82, 16.27};  // chi^2 of 1 to 3 directions, 0.1 %
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
   return {T_map_base, covariance, {{T_map_base, covariance, 1.0}}};
@@ -147,8 +146,7 @@ void SwarmFilter::takeIfPlausible(const SwarmFix& fix, const Observations& obser
 bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observations) {
   if (!options_.swarm_fuse || is_fix_asked_ || is_undecided_) return false;
   const PoseObservation seen = observationOf(estimate_.T_map_base, fix);
-  const double surprise = beliefOf(estimate_.modes.front()).distanceOf(seen);
-  if (seen.innovation.size() == 0 || surprise < kStrange[seen.innovation.size() - 1]) {
+  if (seen.innovation.size() == 0 || !isOutlier(seen, beliefOf(estimate_.modes.front()))) {
     strange_ = 0;
     return false;
   }

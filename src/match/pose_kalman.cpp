@@ -25,12 +25,6 @@ Eigen::LLT<PoseObservation::Square> innovationCovariance(const Eigen::Matrix3d& 
   return S.llt();
 }
 
-/// Beyond 99.9 % of a chi-square variable with as many degrees of freedom as the observation.
-bool isOutlier(const PoseObservation& observation, const PoseKalman& belief) {
-  constexpr double kMost[] = {0.0, 10.83, 13.82, 16.27};
-  return !(belief.distanceOf(observation) < kMost[observation.innovation.size()]);
-}
-
 }  // namespace
 
 PoseObservation observationOf(const Pose2& T_map_base, const Gaussian2& observed) {
@@ -82,6 +76,11 @@ bool PoseKalman::correct(const PoseObservation& observation) {
                   wrapAngle(belief_.mean.theta + step.z())};
   belief_.covariance = covariance;
   return true;
+}
+
+bool isOutlier(const PoseObservation& observation, const PoseKalman& belief) {
+  constexpr double kMost[] = {0.0, 10.83, 13.82, 16.27};
+  return !(belief.distanceOf(observation) < kMost[observation.innovation.size()]);
 }
 
 void correctBy(const ObservationModel& senses, const Observations& observations,

@@ -48,6 +48,10 @@ class PoseKalman {
   Gaussian2 belief_;
 };
 
+/// Whether an observation is beyond 99.9 % of what a belief lets expect, of a chi-square variable
+/// with as many degrees of freedom.
+bool isOutlier(const PoseObservation& observation, const PoseKalman& belief);
+
 /// Corrects a belief by what the senses observed, but for outliers.
 void correctBy(const ObservationModel& senses, const Observations& observations,
                PoseKalman& belief);

@@ -119,6 +119,20 @@ TEST(EkfIcp, FindsItselfAgainAfterOdometryJumpedByAMetre) {
   EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 0.05, 0.02));
 }
 
+/// A place before that looks like this one: in 0.1 s nobody drives a metre, in 2 s robots do.
+TEST(EkfIcp, UndoesAMetreOnlyIfItWasTooFast) {
+  for (const double seconds : {0.1, 2.0}) {
+    const auto filter = makeEkf();
+    filter->reset(roughly(kPlace));
+    filter->update({}, seenAt(kPlace));
+    Observations seen = seenAt(kPlace);
+    seen.stamp = seconds;
+    const Estimate estimate = filter->update({1.0, 0.3, 0.0}, seen);
+    const bool is_undone = distance(estimate.T_map_base, kPlace) < 0.1;
+    EXPECT_EQ(is_undone, seconds < 1.0) << seconds << " s";
+  }
+}
+
 TEST(EkfIcp, FindsItselfAnywhereByOneScan) {
   const auto filter = makeEkf();
   filter->reset(Anywhere{});

@@ -186,6 +186,23 @@ TEST(PoseKalman, IsCorrectedByOtherSenses) {
   EXPECT_DOUBLE_EQ(kalman.mean().x, 1.0);
 }
 
+/// 99.9 % of a chi-square variable with 1 and with 3 degrees of freedom: 10.8 and 16.3.
+TEST(PoseKalman, AnOutlierIsFartherOffTheMoreDirectionsAreSeen) {
+  PoseKalman belief;
+  belief.reset({{1.0, 1.0, 0.0}, diagonal(0.5, 0.5)});
+  const auto off = [](Eigen::Index directions, double metres) {
+    PoseObservation seen;
+    seen.innovation = metres * PoseObservation::Vector::Unit(directions, 0);
+    seen.H = PoseObservation::Rows::Identity(directions, 3);
+    seen.R = 0.5 * PoseObservation::Square::Identity(directions, directions);
+    return seen;
+  };
+  EXPECT_FALSE(isOutlier(off(1, 3.2), belief));
+  EXPECT_TRUE(isOutlier(off(1, 3.4), belief));
+  EXPECT_FALSE(isOutlier(off(3, 4.0), belief));
+  EXPECT_TRUE(isOutlier(off(3, 4.1), belief));
+}
+
 TEST(PoseKalman, IsNotCorrectedByOutliersButTellsThem) {
   const Gaussian2 belief{{1.0, 1.0, 0.0}, diagonal(0.01, 0.01)};
   PoseKalman kalman;
