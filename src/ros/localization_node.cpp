@@ -23,7 +23,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       parameter_writer_(private_node),
       pose_keeper_(parameter_writer_, options_.save_pose_rate, options_.pose_file),
       scans_(
-          node, tf_, options_,
+          node, tf_, tf_input_, options_,
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
           [this](double seconds) { onTimeJump(seconds); }),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(

@@ -21,9 +21,10 @@ const ros::WallDuration kPatience(3.0);  // without a scan
 
 }  // namespace
 
-ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOptions& options,
-                       Callback callback, JumpCallback on_jump)
+ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
+                       const NodeOptions& options, Callback callback, JumpCallback on_jump)
     : tf_(tf),
+      tf_input_(tf_input),
       options_(options),
       mounts_(node, tf, options.base_frame_id),
       callback_(std::move(callback)),
@@ -74,6 +75,7 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
     return drop("neither tf nor robot_description knows where frame '" + last_frame_ + "' is",
                 isSettled());
   }
+  const auto held = tf_input_.hold();
   filter_.add(scan);
 }
 

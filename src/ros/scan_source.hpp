@@ -15,6 +15,7 @@
 #include "continuity.hpp"
 #include "laser_mounts.hpp"
 #include "node_options.hpp"
+#include "transform_input.hpp"
 
 namespace adaptive_localization {
 
@@ -28,8 +29,8 @@ class ScanSource {
   /// Told by how many seconds time jumped.
   using JumpCallback = std::function<void(double)>;
 
-  ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const NodeOptions& options,
-             Callback callback, JumpCallback on_jump);
+  ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
+             const NodeOptions& options, Callback callback, JumpCallback on_jump);
 
   /// Whether this is one of its topics, given without the slash in front.
   bool hears(const std::string& topic) const;
@@ -57,6 +58,7 @@ class ScanSource {
   void drop(const std::string& why, bool is_said = true);
 
   tf2_ros::Buffer& tf_;
+  TransformInput& tf_input_;    // which fills it
   const NodeOptions& options_;  // the node's, which may change
   LaserMounts mounts_;
   Callback callback_;

@@ -24,6 +24,7 @@ TransformInput::TransformInput(tf2_ros::Buffer& buffer) : transforms_(buffer), t
 }
 
 void TransformInput::onMessage(const tf2_msgs::TFMessage& message, bool fixed) {
+  const auto held = hold();
   emptyAfterJump();
   for (const auto& transform : message.transforms) transforms_.add(transform, fixed);
 }

@@ -6,6 +6,8 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 
+#include <mutex>
+
 #include "transform_keeper.hpp"
 
 namespace adaptive_localization {
@@ -18,11 +20,16 @@ class TransformInput {
   explicit TransformInput(tf2_ros::Buffer& buffer);
   ~TransformInput() { thread_.stop(); }
 
+  /// As long as the lock lives, no transform is added. tf2_ros::MessageFilter::add needs this: a
+  /// message whose transform comes while it is being added is never handed on.
+  std::unique_lock<std::mutex> hold() { return std::unique_lock(adding_); }
+
  private:
   void onMessage(const tf2_msgs::TFMessage& message, bool fixed);
   void emptyAfterJump();
 
   TransformKeeper transforms_;
+  std::mutex adding_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber moving_;

@@ -74,7 +74,7 @@ class AmclProtocol(unittest.TestCase):
         if SCENE.two_lasers:
             arguments = ["scan:=whole_scan"]
             self.addCleanup(TwoLasers().end)
-        drive = Drive(map(numbers, SCENE.route))
+        drive = Drive([])
         self.addCleanup(drive.end)
         self.programs.start("p3dx_simulator", *arguments, world=map_file(), start=SCENE.start,
                             seed=SCENE.seed, speed=SCENE.speed, lock_step="true",
@@ -82,10 +82,11 @@ class AmclProtocol(unittest.TestCase):
         return drive
 
     def tell(self, drive):
-        """Says where the robot is, in the way of the scene."""
+        """Lets the robot drive and says where it is, in the way of the scene."""
         if SCENE.told == "nothing":
             rospy.ServiceProxy("global_localization", Empty)()
-        elif SCENE.told != "by_parameter":
+        drive.route.extend(map(numbers, SCENE.route))
+        if SCENE.told in ["by_topic", "late"]:
             now = drive.now
             if SCENE.told == "late":
                 self.wait(lambda: drive.now[0] > now[0] + LATE, "time to pass")
