@@ -7,9 +7,16 @@
 namespace adaptive_localization {
 namespace {
 
-bool isNarrow(const Estimate& estimate) {
-  constexpr double kStd = 0.2;  // m
-  return estimate.covariance.topLeftCorner<2, 2>().trace() < kStd * kStd;
+constexpr double kNarrow = 0.2;      // m, a cloud's standard deviation: any good match is its place
+constexpr double kWide = 0.6;        // m: up to here only one that explains the scan,
+constexpr double kMostOfScan = 0.7;  // so much of it
+
+bool isWithin(double deviation, const Estimate& estimate) {
+  return estimate.covariance.topLeftCorner<2, 2>().trace() < deviation * deviation;
+}
+
+bool isTrusted(const Match& match, const Estimate& estimate) {
+  return match.inlier_ratio >= kMostOfScan || isWithin(kNarrow, estimate);
 }
 
 /// What a filter says, and a few centimetres: clouds are narrower than they are right.
@@ -42,7 +49,7 @@ void EstimateRefiner::reset() {
 Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion,
                                  const Observations& observations) {
   match_.reset();
-  if (!isNarrow(estimate)) {
+  if (!isWithin(kWide, estimate)) {
     is_on_ = false;
     return estimate;
   }
@@ -51,8 +58,9 @@ Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion,
   }
   tracker_.correctBy(*senses_, observations);
   match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
-  is_on_ = tracker_.correct(*match_,
-                            [&](const Match& match) { return isNear(estimate, match.T_map_base); });
+  is_on_ = tracker_.correct(*match_, [&](const Match& match) {
+    return isTrusted(match, estimate) && isNear(estimate, match.T_map_base);
+  });
   if (!is_on_) return estimate;
   estimate.T_map_base = tracker_.mean();
   estimate.covariance = tracker_.covariance();

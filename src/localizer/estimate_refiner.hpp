@@ -21,7 +21,8 @@ class EstimateRefiner {
 
   /// What the filter says after it moved by odometry, motion = T_previous_current, and observed,
   /// with the matched pose and its covariance in place of its own. The same estimate where a cloud
-  /// is wide, as a match may then find anything, and where the scan does not match nearby.
+  /// is wide and the match leaves much of the scan unexplained, as it may then be anything; and
+  /// where the scan does not match nearby.
   Estimate refine(Estimate estimate, const Pose2& motion, const Observations& observations);
 
   /// Forgets where the filter was.

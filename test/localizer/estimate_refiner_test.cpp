@@ -64,8 +64,30 @@ TEST_F(Refining, KnowsMoreFromManyScansThanFromOne) {
   EXPECT_NEAR(anew.covariance.trace(), first, 1e-12);
 }
 
-TEST_F(Refining, LeavesAWideCloudAlone) {
-  const Estimate wide = estimateAt(drive_.front().T_map_base, 0.2);
+TEST_F(Refining, BelievesInAWideCloudOnlyAMatchThatExplainsTheScan) {
+  const ToyStep& step = drive_.front();
+  const Estimate wide = estimateAt(shifted(step.T_map_base, 0.08, -0.05, 0.02), 0.2);
+  const Estimate refined = refiner_.refine(wide, {}, step.observations);
+  EXPECT_LT(distance(refined.T_map_base, step.T_map_base), 0.015);
+
+  Observations half = step.observations;  // of its hits are on things that the map does not know
+  for (Eigen::Index i = 0; i < half.scan.x.size(); i += 2) {
+    const auto nearer = static_cast<float>(rng_.uniform());
+    half.scan.x[i] *= nearer;
+    half.scan.y[i] *= nearer;
+  }
+  refiner_.reset();
+  const Estimate same = refiner_.refine(wide, {}, half);
+  EXPECT_TRUE(refiner_.match());
+  EXPECT_EQ(same.T_map_base.x, wide.T_map_base.x);
+  EXPECT_EQ(same.covariance, wide.covariance);
+
+  const Estimate narrow = estimateAt(wide.T_map_base, 0.1);
+  EXPECT_LT(distance(refiner_.refine(narrow, {}, half).T_map_base, step.T_map_base), 0.03);
+}
+
+TEST_F(Refining, LeavesACloudAloneThatIsTooWide) {
+  const Estimate wide = estimateAt(drive_.front().T_map_base, 0.5);
   const Estimate same = refiner_.refine(wide, {}, drive_.front().observations);
   EXPECT_EQ(same.T_map_base.x, wide.T_map_base.x);
   EXPECT_EQ(same.covariance, wide.covariance);
