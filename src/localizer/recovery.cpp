@@ -146,9 +146,10 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   contradictions_ = explained_ && is_elsewhere ? contradictions_ + 1 : 0;
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || contradictions_ > 0 || !is_one) return;
+  if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
   settle();
   odds_.find();
-  pace_.searched(unexplained_ == 0);
+  pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
 
 void Recovery::search(const Observations& observations) {
@@ -157,7 +158,8 @@ void Recovery::search(const Observations& observations) {
   told_.checked();
   const double odds = searched_ ? hypotheses_.entry(kLateMalus) : 0.0;
   for (const Place& place : places) hypotheses_.add(place.T_map_base, odds);
-  pace_.searched(!places.empty() && places.front().error < kExplained);
+  const double error = places.empty() ? RangeError::kTruncation : places.front().error;
+  pace_.searched(error < kExplained, error);
   searched_ = searched_ || !hypotheses_.isEmpty();
 }
 
@@ -185,20 +187,18 @@ Status Recovery::judge() const {
 }
 
 double Recovery::shareOf(const Pose2& T_map_base) const {
-  if (is_settled_) return 1.0;
   for (const Mode& mode : modes_) {
     if (areSamePlace(mode.T_map_base, T_map_base)) return mode.mass;
   }
-  return 0.0;
+  return is_settled_ ? 1.0 : 0.0;
 }
 
 /// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
 /// out and another one, that explains the scan well, is likelier than all others: what a core makes
 /// of a blocked laser is no reason to jump.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  constexpr double kRuledOut = 0.05;  // mass
-  constexpr double kLikely = 0.97;    // mass
-  constexpr double kWell = 0.1;       // m
+  constexpr double kRuledOut = 0.05, kLikely = 0.97;  // mass
+  constexpr double kWell = 0.1;                       // m
   if (!was_tracking_ || status_ == Status::kTracking) return true;
   if (areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
   if (status_ != Status::kAmbiguous) return false;

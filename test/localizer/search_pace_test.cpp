@@ -13,12 +13,12 @@ TEST(SearchPace, SlowsDownWhileNothingComesOfIt) {
   std::vector<int> pauses;
   for (int scan = 0, last = 0; scan < 40; ++scan) {
     if (!pace.isDue(false)) continue;
-    pace.searched(false);
+    pace.searched(false, 0.5);
     pauses.push_back(scan - last);
     last = scan;
   }
   EXPECT_THAT(pauses, testing::ElementsAre(0, 2, 4, 8, 9, 9));
-  pace.searched(true);
+  pace.searched(true, 0.02);
   EXPECT_TRUE(pace.isDue(false));
 }
 
@@ -30,8 +30,21 @@ TEST(SearchPace, GoesByTheWayWhilePlacesAreLeft) {
   EXPECT_FALSE(pace.isDue(true));
   pace.travel(0.6);
   EXPECT_TRUE(pace.isDue(true));
-  pace.searched(true);
+  pace.searched(true, 0.02);
   EXPECT_FALSE(pace.isDue(true));
+}
+
+TEST(SearchPace, KnowsThatAScanWhichFittedNowhereFoundNotAll) {
+  SearchPace pace;
+  pace.begin();
+  pace.searched(false, 0.3);
+  pace.searched(true, 0.14);
+  EXPECT_FALSE(pace.wasBlind(0.1));
+  EXPECT_TRUE(pace.wasBlind(0.05));
+  pace.searched(true, 0.06);  // searched again
+  EXPECT_FALSE(pace.wasBlind(0.01));
+  pace.begin();
+  EXPECT_TRUE(pace.wasBlind(0.05));
 }
 
 }  // namespace adaptive_localization

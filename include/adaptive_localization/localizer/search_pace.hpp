@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/map/range_error.hpp"
 
 namespace adaptive_localization {
 
@@ -23,6 +24,7 @@ class SearchPace {
   void begin() {
     scans_left_ = 0;
     way_ = 0.0;
+    error_ = RangeError::kTruncation;
   }
 
   /// Metres, or radians.
@@ -34,20 +36,27 @@ class SearchPace {
   /// One scan later.
   bool isDue(bool has_places) { return has_places ? way_ > kWay : --scans_left_ < 0; }
 
-  /// Takes note of a search.
-  void searched(bool has_come_to_something) {
+  /// Places were looked for by scans that fitted none well; the last scan fits far better, with
+  /// this error, and more places than those that were found may look like it.
+  bool wasBlind(double error) const { return error_ > kWell && error < kFarBetter * error_; }
+
+  /// Takes note of a search, and how badly the scan fits the best place that it found, m.
+  void searched(bool has_come_to_something, double error) {
     pause_ = has_come_to_something ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
     scans_left_ = pause_;
     way_ = 0.0;
+    error_ = std::min(error_, error);
   }
 
  private:
   static constexpr double kWay = 1.0;
+  static constexpr double kWell = 0.1, kFarBetter = 0.5;  // m, of the error
   static constexpr int kLongestPause = 8;
 
   int pause_{0};
   int scans_left_{0};
   double way_{0.0};
+  double error_{RangeError::kTruncation};  // of the best place found since the race began, m
 };
 
 }  // namespace adaptive_localization
