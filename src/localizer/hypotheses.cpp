@@ -130,29 +130,35 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
-/// What odometry got wrong is the same for all: a place that fits worse than the best is aligned
-/// once more from where the best one's correction takes it.
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
-  std::vector<Pose2> by_odometry;
-  Pose2 correction;
+  const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {
-    by_odometry.push_back(hypothesis.T_map_base);
-    Place place = alignedWith(refiner, hypothesis.T_map_base);
-    if (hypothesis.T_map_core) place = alignedCore(refiner, hypothesis, place, usual);
+    hypothesis.T_map_ridden = hypothesis.T_map_base;
+    Place place = alignedWith(refiner, hypothesis.T_map_ridden);
+    if (hypothesis.T_map_core) {
+      core = &hypothesis;
+      place = alignedCore(refiner, hypothesis, place, usual);
+    }
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
-    if (!(place.error < least_error_)) continue;
-    least_error_ = place.error;
-    correction = between(by_odometry.back(), place.T_map_base);
+    least_error_ = std::min(least_error_, place.error);
   }
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    if (loss(all_[i].error, least_error_, usual) == 0.0) continue;
-    const Place place = alignedWith(refiner, by_odometry[i] * correction);
-    if (!(place.error < all_[i].error)) continue;
-    all_[i].T_map_base = place.T_map_base;
-    all_[i].error = place.error;
+  const bool is_right = core && loss(core->error, least_error_, usual) == 0.0;
+  if (!is_right || least_error_ > kGoodFit) return;
+  alignTwins(refiner, between(core->T_map_ridden, core->T_map_base), usual);
+}
+
+/// What odometry got wrong is the same for all: a place that fits as well as the best does, once it
+/// is corrected as the core's was, looks the same.
+void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual) {
+  for (Hypothesis& hypothesis : all_) {
+    if (loss(hypothesis.error, least_error_, usual) == 0.0) continue;
+    const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
+    if (loss(place.error, least_error_, usual) > 0.0) continue;
+    hypothesis.T_map_base = place.T_map_base;
+    hypothesis.error = place.error;
   }
 }
 

@@ -85,6 +85,7 @@ class Hypotheses {
     double word{0.0};   // of that, what somebody said and no scan
     bool is_kept{false};
     std::optional<Pose2> T_map_core{};
+    Pose2 T_map_ridden{};      // by odometry alone, before it was aligned with the last scan
     bool is_new{true};         // not judged yet: a scan counts in full
     double error{0.0};         // of the last scan, m
     bool is_explained{false};  // it speaks against no place less
@@ -95,6 +96,7 @@ class Hypotheses {
                     double usual);
 
   void align(const PlaceRefiner& refiner, double usual);
+  void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 
   /// Of each, by the senses other than the laser.
   Eigen::ArrayXd scores(const Observations& observations) const;
