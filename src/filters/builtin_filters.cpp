@@ -86,15 +86,11 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   std::optional<LeaderOptions> leaders;
   if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
   const auto fixing = given.read<SwarmFixOptions>();
-  const auto matching = given.read<MatchOptions>();
-  std::unique_ptr<ScanMatcher> matcher;
-  if (fixing.swarm_match) {
-    matcher = std::make_unique<ScanMatcher>(makeScanMatcher(matching, *context.ground.map));
-  }
   parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
                                              given.read<EnergyGridOptions>().energy_max_range,
-                                             context.ground.map, context.ground.field, places,
-                                             std::move(matcher));
+                                             context.ground.map, context.ground.field, places);
+  const auto matching = given.read<MatchOptions>();
+  if (fixing.swarm_match) parts.match = matchBy(makeScanMatcher(matching, *context.ground.map));
   parts.elsewhere = makeSampler(given, context.ground.map, places);
   parts.senses = makeSenses(context.models.senses, given, context.ground.map, context.ground.field);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),

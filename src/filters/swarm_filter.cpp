@@ -9,7 +9,6 @@
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
-#include "match/pose_kalman.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -19,23 +18,19 @@ constexpr double kSecondPlace = 0.05;                  // mass of a mode that co
 constexpr double kStrangeRatio = 2.5;  // of costs, at which a fix may gainsay odometry,
 constexpr int kStrangeScans = 2;       // so many times in a row
 constexpr double kHopeless = 0.8;      // share of the worst cost that tells nothing, unmatched
-constexpr double kUnsure = 9.0;  // a place found anew is so much less sure than its bats agree
+constexpr double kUnsure = 9.0;       // a place found anew is so much less sure than its bats agree
+constexpr double kAstray = 1.5;       // a match whose cost is so many times larger,
+constexpr double kAstrayMore = 0.03;  // m, 1: and so much more, went astray
 
 Estimate oneMode(const Pose2& T_map_base, const Eigen::Matrix3d& covariance) {
   return {T_map_base, covariance, {{T_map_base, covariance, 1.0}}};
 }
 
-PoseKalman beliefOf(const Mode& mode) {
-  PoseKalman belief;
-  belief.reset({mode.T_map_base, mode.covariance});
-  return belief;
-}
-
-/// What a fix says of a pose near it: the match in the directions of which it tells, else the bats
-/// as one.
-PoseObservation observationOf(const Pose2& T_map_base, const SwarmFix& fix) {
-  if (fix.match) return observationOf(T_map_base, *fix.match);
-  return observationOf(T_map_base, Gaussian2{fix.estimate.T_map_base, fix.estimate.covariance});
+/// Where the robot is if odometry tells nothing of it.
+Gaussian2 startOf(const SwarmFix& fix) {
+  const Mode& heaviest = fix.estimate.modes.front();
+  if (!fix.match) return {heaviest.T_map_base, heaviest.covariance};
+  return {fix.match->T_map_base, kUnsure * heaviest.covariance};
 }
 
 bool hasSecondPlace(const Estimate& estimate) {
@@ -56,15 +51,16 @@ void SwarmFilter::reset(const Prior& prior) {
     estimate_ = summarize(bats_, bats_.log_weight.exp());
     is_undecided_ = hasSecondPlace(estimate_);
   } else if (const auto* gaussian = std::get_if<Gaussian2>(&prior)) {
-    const PoseKalman mended = beliefOf({gaussian->mean, gaussian->covariance, 1.0});
-    estimate_ = oneMode(mended.mean(), mended.covariance());
-    bats_ = drawCloud(mended.belief(), options_.swarm_size, rng_);
+    tracker_.reset(*gaussian);
+    estimate_ = oneMode(tracker_.mean(), tracker_.covariance());
+    bats_ = drawCloud(tracker_.belief(), options_.swarm_size, rng_);
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
     drawElsewhere(0.0);
     estimate_ = summarize(bats_, normalisedWeights(bats_.log_weight));
   }
+  tracker_.reset({estimate_.modes.front().T_map_base, estimate_.modes.front().covariance});
 }
 
 /// What odometry leaves open, and so much more.
@@ -89,12 +85,12 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
 void SwarmFilter::ride(const Pose2& motion, const Observations& observations) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
-  for (Mode& mode : estimate_.modes) {
-    PoseKalman belief = beliefOf(mode);
-    belief.predict(motion, noise);
-    correctBy(*parts_.senses, observations, belief);
-    mode.T_map_base = belief.mean();
-    mode.covariance = belief.covariance();
+  for (auto mode = estimate_.modes.rbegin(); mode != estimate_.modes.rend(); ++mode) {
+    tracker_.reset({mode->T_map_base, mode->covariance});
+    tracker_.predict(motion, noise);
+    tracker_.correctBy(*parts_.senses, observations);
+    mode->T_map_base = tracker_.mean();
+    mode->covariance = tracker_.covariance();
   }
   estimate_.T_map_base = estimate_.modes.front().T_map_base;
   estimate_.covariance = estimate_.modes.front().covariance;
@@ -111,6 +107,18 @@ bool SwarmFilter::isFixDue(const Observations& observations) const {
   const double deviation = std::sqrt(std::max(0.0, solver.eigenvalues()[1]));
   return deviation >= options_.swarm_fix_deviation ||
          parts_.fixer->costOf(estimate_.T_map_base, observations) > options_.swarm_explained;
+}
+
+/// The scan matched from the swarm's place on, unless its cost there says that the match went
+/// astray.
+void SwarmFilter::align(const Observations& observations, SwarmFix& fix) const {
+  if (!parts_.match) return;
+  Match match = tracker_.matchAt(fix.estimate.T_map_base, observations.scan);
+  if (!match.isGood()) return;
+  const double cost = parts_.fixer->costOf(match.T_map_base, observations);
+  if (cost > kAstray * fix.cost + kAstrayMore) return;
+  fix.cost = cost;
+  fix.match = std::move(match);
 }
 
 /// Bats near where odometry says the robot is, or in the places that they are in.
@@ -131,7 +139,8 @@ SwarmFix SwarmFilter::lookHere(const Observations& observations) {
 }
 
 void SwarmFilter::fixHere(const Observations& observations) {
-  const SwarmFix fix = lookHere(observations);
+  SwarmFix fix = lookHere(observations);
+  align(observations, fix);
   if (options_.swarm_spread && isSpreadDue(fix.cost)) return spread(observations);
   takeIfPlausible(fix, observations);
 }
@@ -142,11 +151,20 @@ void SwarmFilter::takeIfPlausible(const SwarmFix& fix, const Observations& obser
   take(fix, options_.swarm_fuse && !is_undecided_);
 }
 
+/// What a fix says of the tracker's pose: the match in the directions of which it tells, else the
+/// bats as one.
+PoseObservation SwarmFilter::observationOf(const SwarmFix& fix) const {
+  const Pose2& pose = tracker_.mean();
+  if (fix.match) return adaptive_localization::observationOf(pose, *fix.match);
+  const Estimate& bats = fix.estimate;
+  return adaptive_localization::observationOf(pose, Gaussian2{bats.T_map_base, bats.covariance});
+}
+
 /// Whether a fix contradicts odometry though hardly anything speaks for it.
 bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observations) {
   if (!options_.swarm_fuse || is_fix_asked_ || is_undecided_) return false;
-  const PoseObservation seen = observationOf(estimate_.T_map_base, fix);
-  if (seen.innovation.size() == 0 || !isOutlier(seen, beliefOf(estimate_.modes.front()))) {
+  const PoseObservation seen = observationOf(fix);
+  if (seen.innovation.size() == 0 || !tracker_.isOutlier(seen)) {
     strange_ = 0;
     return false;
   }
@@ -161,29 +179,19 @@ void SwarmFilter::take(const SwarmFix& fix, bool is_fused) {
   bats_ = fix.bats;
   leaders_ = fix.leaders;
   is_undecided_ = hasSecondPlace(fix.estimate);
-  Mode start = fix.estimate.modes.front();
   const bool is_news = fix.match || !fix.has_odometry;
-  const bool starts_from_odometry = is_fused && !is_undecided_ && strange_ == 0 && is_news;
-  if (starts_from_odometry) {
-    start = estimate_.modes.front();
-  } else if (fix.match) {
-    start.T_map_base = fix.match->T_map_base;
-    start.covariance *= kUnsure;
-  }
+  const bool goes_on = is_fused && !is_undecided_ && strange_ == 0 && is_news;
+  if (!goes_on) tracker_.reset(startOf(fix));
+  if (fix.match || goes_on) tracker_.correct(observationOf(fix));
   strange_ = 0;
   is_fix_asked_ = false;
-  PoseKalman belief = beliefOf(start);
-  if (fix.match || starts_from_odometry) belief.correct(observationOf(start.T_map_base, fix));
-  const Estimate one = oneMode(belief.mean(), belief.covariance());
-  if (is_undecided_) {
-    estimate_ = fix.estimate;
-    estimate_.modes.front() = one.modes.front();
-    estimate_.modes.front().mass = fix.estimate.modes.front().mass;
-    estimate_.T_map_base = one.T_map_base;
-    estimate_.covariance = one.covariance;
-  } else {
-    estimate_ = one;
+  if (!is_undecided_) {
+    estimate_ = oneMode(tracker_.mean(), tracker_.covariance());
+    return;
   }
+  estimate_ = fix.estimate;
+  estimate_.T_map_base = estimate_.modes.front().T_map_base = tracker_.mean();
+  estimate_.covariance = estimate_.modes.front().covariance = tracker_.covariance();
 }
 
 }  // namespace adaptive_localization

@@ -11,6 +11,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
+#include "match/scan_tracker.hpp"
 #include "swarm_fix.hpp"
 
 namespace adaptive_localization {
@@ -48,18 +49,19 @@ struct SwarmFilterParts {
   std::unique_ptr<MotionModel> motion;
   std::unique_ptr<SwarmMove> move;
   std::unique_ptr<SwarmFixer> fixer;
+  MatchScan match{};  // none: places are as good as the swarm finds them
   std::unique_ptr<PoseSampler> elsewhere;
   std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
 };
 
 /// A swarm looks for the pose that explains the scan best, in a narrow cloud where odometry says
 /// the robot is, or everywhere if that is not known; between such fixes the pose rides on odometry
-/// and its covariance grows. A fix is taken for another observation of the pose (PoseKalman), if
-/// odometry and it can both be right or it fits much better, twice in a row.
+/// and its covariance grows. A fix is taken for another observation of the pose, if odometry
+/// and it can both be right or it fits much better, twice in a row.
 class SwarmFilter : public Filter {
  public:
   SwarmFilter(const SwarmFilterOptions& options, SwarmFilterParts parts, std::uint64_t seed)
-      : options_(options), parts_(std::move(parts)), rng_(seed) {
+      : options_(options), parts_(std::move(parts)), tracker_(parts_.match), rng_(seed) {
     options_.swarm_size = parts_.fixer->affordable(options_.swarm_size);
   }
 
@@ -74,17 +76,20 @@ class SwarmFilter : public Filter {
   void drawElsewhere(double share_here);
   void ride(const Pose2& motion, const Observations& observations);
   bool isFixDue(const Observations& observations) const;
+  void align(const Observations& observations, SwarmFix& fix) const;
   SwarmFix lookHere(const Observations& observations);
   void fixHere(const Observations& observations);
   void fixAnywhere(const Observations& observations);
   bool isSpreadDue(double cost);
   void spread(const Observations& observations);
   void takeIfPlausible(const SwarmFix& fix, const Observations& observations);
+  PoseObservation observationOf(const SwarmFix& fix) const;
   bool isStrange(const SwarmFix& fix, const Observations& observations);
   void take(const SwarmFix& fix, bool is_fused);
 
   SwarmFilterOptions options_;
   SwarmFilterParts parts_;
+  ScanTracker tracker_;  // of the heaviest mode
   Rng rng_;
   Particles bats_, leaders_;
   Estimate estimate_;

@@ -30,7 +30,8 @@ void SwarmFilter::drawElsewhere(double share_here) {
 void SwarmFilter::fixAnywhere(const Observations& observations) {
   parts_.elsewhere->condition(observations);
   drawElsewhere(0.0);
-  const SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  align(observations, fix);
   take(fix, false);
   anywhere_ = fix.cost > options_.swarm_explained;
 }
@@ -46,7 +47,9 @@ bool SwarmFilter::isSpreadDue(double cost) {
 void SwarmFilter::spread(const Observations& observations) {
   parts_.elsewhere->condition(observations);
   drawElsewhere(kShareHere);
-  take(parts_.fixer->fix(bats_, *parts_.move, observations, rng_), false);
+  SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  align(observations, fix);
+  take(fix, false);
 }
 
 }  // namespace adaptive_localization

@@ -12,10 +12,7 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kAstray =
-    1.5;  // a match whose cost is so many times larger, and more, went astray
 constexpr double kHitTruncation = 0.3;  // m
-constexpr double kAstrayMore = 0.03;    // m, 1
 constexpr int kNearIterations = 12;     // a narrow cloud needs no more
 constexpr int kNearPatience = 2;
 
@@ -25,15 +22,14 @@ SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptio
                        const std::optional<LeaderOptions>& leaders, double max_range,
                        std::shared_ptr<const OccupancyGrid> map,
                        std::shared_ptr<const DistanceField> distance_field,
-                       std::shared_ptr<Places> places, std::unique_ptr<ScanMatcher> matcher)
+                       std::shared_ptr<Places> places)
     : options_(options),
       objective_(objective),
       leaders_(leaders),
       max_range_(max_range),
       map_(std::move(map)),
       distance_field_(std::move(distance_field)),
-      places_(std::move(places)),
-      matcher_(std::move(matcher)) {
+      places_(std::move(places)) {
   const Lattice& lattice = map_->lattice();
   const double width = lattice.width() * lattice.resolution();
   const double height = lattice.height() * lattice.resolution();
@@ -101,7 +97,7 @@ SwarmFix SwarmFixer::fix(const Particles& start, const SwarmMove& move,
                          const Observations& observations, Rng& rng) {
   const auto objective = rangesOf(observations);
   SwarmFix fix = searchIn(whole_, columnsOf(start), move, *objective, stopRule(), rng);
-  finish(observations, fix);
+  fix.cost = costOf(fix.estimate.T_map_base, observations);
   return fix;
 }
 
@@ -117,14 +113,14 @@ SwarmFix SwarmFixer::fixNear(const Gaussian2& odometry, const Particles& start,
     objective = rangesOf(observations);
   }
   StopRule rule = stopRule();
-  if (matcher_) {  // does the rest
+  if (options_.swarm_match) {  // does the rest
     rule.max_iterations = std::min(rule.max_iterations, kNearIterations);
     rule.patience = kNearPatience;
   }
   const Eigen::ArrayXXd positions = columnsAround(odometry.mean.theta, start);
   SwarmFix fix = searchIn(spaceAround(positions), positions, move, *objective, rule, rng);
   fix.has_odometry = has_odometry;
-  finish(observations, fix);
+  fix.cost = costOf(fix.estimate.T_map_base, observations);
   return fix;
 }
 
@@ -142,19 +138,6 @@ SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Eigen::ArrayXXd& s
   fix.estimate = estimateOf(fix.bats);
   if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
   return fix;
-}
-
-/// Costs are of ranges and by ray casting, whatever the search made small: a table's are larger by
-/// what it rounds.
-void SwarmFixer::finish(const Observations& observations, SwarmFix& fix) const {
-  fix.cost = costOf(fix.estimate.T_map_base, observations);
-  if (!matcher_) return;
-  Match match = matcher_->match(fix.estimate.T_map_base, observations.scan);
-  if (!match.isGood()) return;
-  const double cost = costOf(match.T_map_base, observations);
-  if (cost > kAstray * fix.cost + kAstrayMore) return;
-  fix.cost = cost;
-  fix.match = std::move(match);
 }
 
 }  // namespace adaptive_localization

@@ -8,7 +8,7 @@
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "adaptive_localization/match/match.hpp"
 #include "adaptive_localization/ser/places.hpp"
 #include "adaptive_localization/swarm/field_objective.hpp"
 #include "adaptive_localization/swarm/range_objective.hpp"
@@ -60,26 +60,21 @@ struct SwarmFixOptions {
 /// What a swarm found.
 struct SwarmFix {
   Estimate estimate{};           // of the bats
-  std::optional<Match> match{};  // of the scan, from the heaviest mode on, if it tells something
-  double cost{0.0};              // there: of ranges, by ray casting
+  double cost{0.0};              // of its pose: of ranges, by ray casting
+  std::optional<Match> match{};  // of the scan from that pose on, if it tells something
   bool has_odometry{false};      // weighed in by the search
   int iterations{0};
   Particles bats{};     // weighed by their cost
   Particles leaders{};  // of the bats
-
-  /// The place, by the match if there is one.
-  const Pose2& place() const { return match ? match->T_map_base : estimate.T_map_base; }
 };
 
 /// Lets a swarm loose on a scan.
 class SwarmFixer {
  public:
-  /// Without a matcher, places are as good as the swarm finds them.
   SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
              const std::optional<LeaderOptions>& leaders, double max_range,
              std::shared_ptr<const OccupancyGrid> map,
-             std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places,
-             std::unique_ptr<ScanMatcher> matcher);
+             std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places);
 
   /// The best poses for a scan all over the map, from these on.
   SwarmFix fix(const Particles& start, const SwarmMove& move, const Observations& observations,
@@ -105,7 +100,6 @@ class SwarmFixer {
   SwarmFix searchIn(const SearchSpace& space, const Eigen::ArrayXXd& start, const SwarmMove& move,
                     const Objective& objective, StopRule rule, Rng& rng) const;
   StopRule stopRule() const;
-  void finish(const Observations& observations, SwarmFix& fix) const;
 
   SwarmFixOptions options_;
   RangeObjectiveOptions objective_;
@@ -114,7 +108,6 @@ class SwarmFixer {
   std::shared_ptr<const OccupancyGrid> map_;
   std::shared_ptr<const DistanceField> distance_field_;
   std::shared_ptr<Places> places_;
-  std::unique_ptr<ScanMatcher> matcher_;  // may be null
   std::shared_ptr<const EnergyGrid> grid_;
   std::shared_ptr<const RangeRows> rows_;  // of grid_
   SearchSpace whole_;

@@ -25,10 +25,11 @@ MatchScan matchBy(Matcher matcher) {
 /// Whether a matched pose may correct the belief.
 using MatchGate = std::function<bool(const Match& match)>;
 
-/// Follows a pose by odometry and matched scans: predict, match, gate, correct.
+/// Follows a pose by odometry and matched scans: predict, match, gate, correct. A core that has no
+/// use for matches gives none and does not ask for them.
 class ScanTracker {
  public:
-  explicit ScanTracker(MatchScan match) : match_(std::move(match)) {}
+  explicit ScanTracker(MatchScan match = {}) : match_(std::move(match)) {}
 
   void reset(const Gaussian2& belief) { kalman_.reset(belief); }
 
@@ -44,6 +45,14 @@ class ScanTracker {
 
   /// A scan aligned with the map from a pose on, with the belief's covariance for a prior.
   Match matchAt(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// Whether the belief cannot explain an observation.
+  bool isOutlier(const PoseObservation& seen) const {
+    return adaptive_localization::isOutlier(seen, kalman_);
+  }
+
+  /// Corrects the belief by an observation of the pose; false where that is singular.
+  bool correct(const PoseObservation& seen) { return kalman_.correct(seen); }
 
   /// Corrects the belief by a match if it is good and passes the gate; says kJump if it does not.
   bool correct(Match& match, const MatchGate& gate);

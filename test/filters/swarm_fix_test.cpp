@@ -25,8 +25,7 @@ struct Scene {
         map(asymmetricWorld(origin)),
         field(std::make_shared<const DistanceField>(*map)),
         places(std::make_shared<Places>(map, field, EnergyGridOptions{}, GlobalSearchOptions{})),
-        fixer(options, RangeObjectiveOptions{}, LeaderOptions{}, kMaxRange, map, field, places,
-              nullptr) {}
+        fixer(options, RangeObjectiveOptions{}, LeaderOptions{}, kMaxRange, map, field, places) {}
 
   static SwarmFixOptions plain() {
     SwarmFixOptions options;
