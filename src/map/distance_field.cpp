@@ -16,12 +16,10 @@ cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
   const cv::Mat occupied = occupiedCells(grid);
   if (cv::countNonZero(occupied) == 0) return {};
   stop.check();
-  const cv::Mat depth = depthOf(occupied);
+  const auto reach = static_cast<int>(1.0 + kWallDepth / grid.lattice().resolution());
+  const cv::Mat inside = shrunk(occupied, cv::MORPH_RECT, reach);
   stop.check();
-  const double most = 1.0 + kWallDepth / grid.lattice().resolution();
-  cv::Mat open = occupied == 0;
-  open.setTo(255, depth > most);
-  return open;
+  return (occupied == 0) | inside;
 }
 
 }  // namespace

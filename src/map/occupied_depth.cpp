@@ -7,11 +7,15 @@ namespace adaptive_localization {
 
 cv::Mat occupiedCells(const OccupancyGrid& map) {
   const Lattice& lattice = map.lattice();
-  cv::Mat occupied(lattice.height(), lattice.width(), CV_8U);
-  for (std::size_t i = 0; i < lattice.size(); ++i) {
-    occupied.data[i] = map.cells()[i] == OccupancyGrid::kOccupied ? 255 : 0;
-  }
-  return occupied;
+  auto* cells = const_cast<std::int8_t*>(map.cells().data());  // OpenCV has no Mat of const
+  return cv::Mat(lattice.height(), lattice.width(), CV_8S, cells) == OccupancyGrid::kOccupied;
+}
+
+cv::Mat shrunk(const cv::Mat& occupied, int shape, int reach) {
+  cv::Mat left;
+  const cv::Mat element = cv::getStructuringElement(shape, {2 * reach + 1, 2 * reach + 1});
+  cv::erode(occupied, left, element, {-1, -1}, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  return left;
 }
 
 cv::Mat depthOf(const cv::Mat& occupied) {

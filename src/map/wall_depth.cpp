@@ -2,6 +2,7 @@
 #include "adaptive_localization/map/wall_depth.hpp"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
@@ -10,21 +11,14 @@
 namespace adaptive_localization {
 namespace {
 
-/// Occupied, and not shut in by occupied cells on its four sides.
-bool isFace(const OccupancyGrid& map, const Cell& c) {
-  return !(map.isOccupied({c.x - 1, c.y}) && map.isOccupied({c.x + 1, c.y}) &&
-           map.isOccupied({c.x, c.y - 1}) && map.isOccupied({c.x, c.y + 1}));
-}
-
-/// In cells, of walls two cells deep and deeper.
+/// In cells, of walls two cells deep and deeper. A face is a cell that is not shut in by occupied
+/// ones on its four sides.
 double cellsDeep(const OccupancyGrid& map) {
-  std::size_t occupied = 0, faces = 0;
-  for (std::size_t i = 0; i < map.cells().size(); ++i) {
-    if (map.cells()[i] != OccupancyGrid::kOccupied) continue;
-    ++occupied;
-    faces += isFace(map, map.lattice().cell(i)) ? 1U : 0U;
-  }
-  return faces == 0 ? 0.0 : 2.0 * static_cast<double>(occupied) / static_cast<double>(faces);
+  const cv::Mat walls = occupiedCells(map);
+  const int occupied = cv::countNonZero(walls);
+  if (occupied == 0) return 0.0;
+  const int shut_in = cv::countNonZero(shrunk(walls, cv::MORPH_CROSS, 1));
+  return 2.0 * occupied / (occupied - shut_in);
 }
 
 /// As deep as both neighbours in some direction, and deeper than one of them.
