@@ -11,15 +11,22 @@
 namespace adaptive_localization {
 namespace {
 
+/// Those of the occupied cells that are so many cells deep or less. A deeper one is the middle of a
+/// square of occupied cells that fits into the circle; most maps have none.
+cv::Mat notDeeper(const cv::Mat& occupied, double most) {
+  const auto reach = static_cast<int>(most / std::sqrt(2.0));
+  if (cv::countNonZero(shrunk(occupied, cv::MORPH_RECT, reach)) == 0) return occupied;
+  return occupied & (depthOf(occupied) <= most);
+}
+
 /// 0 in the cells of walls, 255 elsewhere; empty if there are none.
 cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
   const cv::Mat occupied = occupiedCells(grid);
   if (cv::countNonZero(occupied) == 0) return {};
   stop.check();
-  const auto reach = static_cast<int>(1.0 + kWallDepth / grid.lattice().resolution());
-  const cv::Mat inside = shrunk(occupied, cv::MORPH_RECT, reach);
+  const cv::Mat walls = notDeeper(occupied, 1.0 + kWallDepth / grid.lattice().resolution());
   stop.check();
-  return (occupied == 0) | inside;
+  return walls == 0;
 }
 
 }  // namespace

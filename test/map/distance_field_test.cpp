@@ -11,13 +11,15 @@
 namespace adaptive_localization {
 namespace {
 
-/// Occupied, and with a cell that is not in the square of 0.35 m and a cell to each side.
+/// Occupied, and no deeper than 0.35 m below the nearest cell that is not.
 bool isWall(const OccupancyGrid& grid, const Cell& cell) {
   if (!grid.isOccupied(cell)) return false;
-  const int reach = static_cast<int>(1.0 + 0.35 / grid.lattice().resolution());
+  const double deepest = 1.0 + 0.35 / grid.lattice().resolution();  // cells
+  const int reach = static_cast<int>(deepest);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
-      if (!grid.isOccupied({cell.x + dx, cell.y + dy})) return true;
+      const bool is_near = std::hypot(dx, dy) <= deepest;
+      if (is_near && !grid.isOccupied({cell.x + dx, cell.y + dy})) return true;
     }
   }
   return false;

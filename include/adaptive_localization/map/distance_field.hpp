@@ -13,9 +13,8 @@ namespace adaptive_localization {
 /// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
 /// down to kWallDepth below their faces: where a map was made inexactly they are thick, and a laser
 /// sees what is in their middle. Deeper is no wall: all of a scan would fit into the rock around a
-/// small room. Deeper are cells with occupied ones alone in the square of that reach around them.
-/// Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a map without obstacles is
-/// saturated everywhere.
+/// small room. Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a map without
+/// obstacles is saturated everywhere.
 class DistanceField {
  public:
   /// Throws Stopped.
