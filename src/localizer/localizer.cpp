@@ -194,9 +194,7 @@ void Localizer::updateBelief(const Pose2& motion, const Observations& observatio
 Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   Observations seen = observations;
-  if (setup_.options.recovery && recovery_->isOccluded(T_map_base_expected, seen.scan)) {
-    seen.scan = Scan{};
-  }
+  if (setup_.options.recovery) seen.scan = recovery_->evidenceOf(T_map_base_expected, seen.scan);
   const Estimate estimate = finite(filter_->update(motion, seen));
   return refiner_ && !filter_->match() ? refiner_->refine(estimate, motion, seen) : estimate;
 }

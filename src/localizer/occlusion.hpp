@@ -2,18 +2,24 @@
 #pragma once
 
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
+#include "adaptive_localization/map/range_error.hpp"
 
 namespace adaptive_localization {
 
 /// A hand before the laser, or somebody who stands there, looks like a corner of the map somewhere:
 /// a scan that sees hardly anything beyond arm's length is no evidence.
-inline bool isCovered(const Scan& scan) {
-  constexpr double kArm = 0.6;    // m
-  constexpr double kShare = 0.1;  // of the beams
-  const Eigen::Index far =
-      (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
-  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
-  return scan.hits() == 0 || static_cast<double>(far) < kShare * static_cast<double>(beams);
-}
+bool isCovered(const Scan& scan);
+
+/// Whether a scan, taken about a pose, tells of what stands before the laser and not of where it
+/// is: nearly all beams are too short.
+bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error);
+
+/// A scan about a pose without the hits that lie before the map's walls and on none: people, or
+/// furniture that was moved, draw a pose to where they would be walls (the distance filter; Fox,
+/// Burgard and Thrun 1999). All of it where fewer than half of the hits are on walls, as then the
+/// pose may be wrong and each hit tells.
+Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,
+                      const RangeError& range_error);
 
 }  // namespace adaptive_localization

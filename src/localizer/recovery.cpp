@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
+constexpr double kGoodMap = 0.1;    // m, usual error: what is off a wall is no part of the map
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
-constexpr double kLostFit = 0.2, kFoundFit = 0.5;  // below, above: a scan gainsays, confirms
+constexpr double kFoundFit = 0.5;   // above: a scan confirms
 
 }  // namespace
 
@@ -52,13 +53,10 @@ void Recovery::goOnFrom(const Recovery& other) {
   *this = std::move(next);
 }
 
-bool Recovery::isOccluded(const Pose2& T_map_base, const Scan& scan) const {
-  constexpr double kShortShare = 0.7;
-  return isCovered(scan) || range_error_.at(T_map_base, scan).short_share > kShortShare;
-}
-
-bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
-  return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < kLostFit;
+Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
+  if (isOccluded(scan, T_map_base, range_error_)) return {};
+  const bool is_known = status_ == Status::kTracking && usual_.value() < kGoodMap;
+  return is_known ? withoutObstacles(scan, T_map_base, *ground_.field, range_error_) : scan;
 }
 
 void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
@@ -83,14 +81,17 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
   }
-  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base) || told_.isCheckDue())) {
+  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue())) {
     open(T_map_base_expected);
   } else if (is_settled_ && unexplained_ > 0) {
     pace_.skipScan();
   }
   if (!is_settled_) {
     race(T_map_base, observations);
-    if (is_settled_ && unexplained_ > 0) usual_.observe(error);  // nothing else is better
+    if (is_settled_ && unexplained_ > 0) {
+      usual_.observe(error);
+      pace_.findNothingBetter(error);
+    }
   }
   conclude();
 }
@@ -108,10 +109,10 @@ void Recovery::verify(const Estimate& estimate, const Observations& observations
 
 /// Where a scan does not fit, or the core jumps, other places are worth a thought: not at each scan
 /// as long as no other place is better.
-bool Recovery::isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const {
+bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
-  if (had_place && !areSamePlace(T_map_base_expected, T_map_base)) return true;
-  return unexplained_ > 0 && pace_.isOver();
+  if (had_place && !areSamePlace(expected, T_map_base)) return true;
+  return unexplained_ > 0 && pace_.isOver(error);
 }
 
 void Recovery::open(const Pose2& T_map_base) {
@@ -197,8 +198,7 @@ double Recovery::shareOf(const Pose2& T_map_base) const {
 /// out and another one, that explains the scan well, is likelier than all others: what a core makes
 /// of a blocked laser is no reason to jump.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  constexpr double kRuledOut = 0.05, kLikely = 0.97;  // mass
-  constexpr double kWell = 0.1;                       // m
+  constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
   if (!was_tracking_ || status_ == Status::kTracking) return true;
   if (areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
   if (status_ != Status::kAmbiguous) return false;

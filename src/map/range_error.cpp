@@ -22,6 +22,12 @@ double RangeError::missing(const Pose2& ray, double range, double max_range) con
   return std::abs(through) < std::abs(plain) ? through : plain;
 }
 
+double RangeError::missing(const Pose2& T_map_base, const Scan& scan, Eigen::Index hit) const {
+  const Eigen::Vector2d sensor = T_map_base * scan.position;
+  const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + scan.bearing[hit])};
+  return missing(ray, scan.range[hit], scan.max_range);
+}
+
 RangeError::Fit RangeError::at(const Pose2& T_map_base, const Scan& scan, double max_range) const {
   constexpr Eigen::Index kBeams = 90;  // are enough for a mean
   constexpr double kOff = 0.25;        // m

@@ -207,8 +207,7 @@ TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   Observations covered = hitsAt(cover, 12.0);
   covered.scan.view.start = -kPi / 2;
   covered.scan.view.width = kPi;
-  EXPECT_TRUE(watched.recovery.isOccluded(truth, covered.scan));
-  EXPECT_FALSE(watched.recovery.isOccluded(truth, watched.laser.observe(watched.map, truth).scan));
+  EXPECT_EQ(watched.recovery.evidenceOf(truth, covered.scan).hits(), 0);
   for (int i = 0; i < 10; ++i) {
     watched.observe(covered, truth);
     EXPECT_FALSE(watched.recovery.mustMove()) << i;
@@ -217,6 +216,31 @@ TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   const Pose2 motion{kWay, 0.0, 0.0};
   watched.see(truth * motion, truth * motion, motion);
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+/// Somebody walks along with the robot, who is on no map.
+TEST(Recovery, WhileTrackingObstaclesAreNoEvidenceOfWhereTheRobotIs) {
+  Watched watched(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  const Scan clear = watched.laser.observe(watched.map, truth).scan;
+  Scan seen = clear;
+  for (int i = 20; i < 40; ++i) {
+    seen.range[i] *= 0.6F;
+    seen.x[i] = seen.range[i] * std::cos(seen.bearing[i]);
+    seen.y[i] = seen.range[i] * std::sin(seen.bearing[i]);
+  }
+  watched.tell(truth);
+  EXPECT_EQ(watched.recovery.evidenceOf(truth, seen).hits(), seen.hits());  // told, not seen yet
+  watched.see(truth, truth);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  EXPECT_EQ(watched.recovery.evidenceOf(truth, clear).hits(), clear.hits());
+  const Scan left = watched.recovery.evidenceOf(truth, seen);
+  ASSERT_EQ(left.hits(), seen.hits() - 20);
+  EXPECT_EQ(left.range[19], clear.range[19]);
+  EXPECT_EQ(left.bearing[20], clear.bearing[40]);
+  EXPECT_EQ(left.x[20], clear.x[40]);
+  const Pose2 wrong = truth * Pose2{0.0, 0.5, 0.3};  // hardly anything is on walls there
+  EXPECT_EQ(watched.recovery.evidenceOf(wrong, seen).hits(), seen.hits());
 }
 
 /// As on a poor map: what is published must not be worse than what a core makes of it alone.

@@ -22,6 +22,18 @@ TEST(SearchPace, SlowsDownWhileNothingComesOfIt) {
   EXPECT_TRUE(pace.isDue(false));
 }
 
+TEST(SearchPace, APauseEndsEarlyWhereAScanFitsFarWorse) {
+  SearchPace pace;
+  pace.begin();
+  pace.searched(false, 0.3);
+  pace.findNothingBetter(0.2);
+  EXPECT_FALSE(pace.isOver(0.2));
+  EXPECT_FALSE(pace.isOver(0.29));
+  EXPECT_TRUE(pace.isOver(0.31));
+  pace.skipScan();
+  EXPECT_TRUE(pace.isOver(0.2));
+}
+
 TEST(SearchPace, GoesByTheWayWhilePlacesAreLeft) {
   SearchPace pace;
   pace.begin();

@@ -36,12 +36,15 @@ class Recovery {
   /// Another one's knowledge, on this one's ground.
   void goOnFrom(const Recovery& other);
 
-  /// Whether a scan, taken about a pose, tells of what stands before the laser and not of where it
-  /// is: nearly all beams are too short.
-  bool isOccluded(const Pose2& T_map_base, const Scan& scan) const;
+  /// What of a scan, taken about a pose, tells a core where the robot is: nothing if nearly all
+  /// beams are too short, as something stands before the laser; without obstacles that the map does
+  /// not have while it is known where the robot is, on a map that usually fits.
+  Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
   /// Whether a scan contradicts the map at a pose, so that it is worth an update.
-  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const;
+  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+    return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < kLostFit;
+  }
 
   /// Takes note of an update of the core: the motion since the last one, where odometry expected
   /// the robot to be, and what the core made of the observations.
@@ -74,10 +77,11 @@ class Recovery {
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
+  static constexpr double kLostFit = 0.2;    // below: a scan gainsays
 
   void open(const Pose2& T_map_base);
   void settle();
-  bool isDoubtful(const Pose2& T_map_base_expected, const Pose2& T_map_base) const;
+  bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
   void race(const Pose2& T_map_base, const Observations& observations);
   void search(const Observations& observations);
   void conclude();

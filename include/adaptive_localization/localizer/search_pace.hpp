@@ -31,7 +31,15 @@ class SearchPace {
   void travel(double way) { way_ += way; }
 
   void skipScan() { --scans_left_; }
-  bool isOver() const { return scans_left_ <= 0; }
+
+  /// Whether a scan that fits the core's place as badly as this, m, is worth a search: the pause is
+  /// over, or it fits far worse than the one for which nothing better was found.
+  bool isOver(double error) const {
+    return scans_left_ <= 0 || error > kFarWorse * error_without_better_;
+  }
+
+  /// The race is over: a scan fits the core's place as badly as this, m, and no other better.
+  void findNothingBetter(double error) { error_without_better_ = error; }
 
   /// One scan later.
   bool isDue(bool has_places) { return has_places ? way_ > kWay : --scans_left_ < 0; }
@@ -51,11 +59,13 @@ class SearchPace {
  private:
   static constexpr double kWay = 1.0;
   static constexpr double kWell = 0.1, kFarBetter = 0.5;  // m, of the error
+  static constexpr double kFarWorse = 1.5;
   static constexpr int kLongestPause = 8;
 
   int pause_{0};
   int scans_left_{0};
   double way_{0.0};
+  double error_without_better_{RangeError::kTruncation};
   double error_{RangeError::kTruncation};  // of the best place found since the race began, m
 };
 

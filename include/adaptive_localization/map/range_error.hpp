@@ -38,6 +38,10 @@ class RangeError {
     return at(T_map_base, scan, scan.max_range);
   }
 
+  /// By how much a hit is nearer than the wall that its beam is expected to meet, m; negative if it
+  /// is farther.
+  double missing(const Pose2& T_map_base, const Scan& scan, Eigen::Index hit) const;
+
  private:
   double missing(const Pose2& ray, double range, double max_range) const;
 

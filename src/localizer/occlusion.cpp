@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occlusion.hpp"
+
+#include <vector>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kOnWall = 0.1;  // m, from the map: a hit nearer agrees with it,
+constexpr double kOff = 0.15;    // m: one farther, and so much before the wall, hides it
+constexpr double kMostFits = 0.5;
+
+Scan withHits(const Scan& scan, const std::vector<Eigen::Index>& hits) {
+  Scan some = scan;
+  const auto count = static_cast<Eigen::Index>(hits.size());
+  for (Eigen::ArrayXf* row : {&some.x, &some.y, &some.range, &some.bearing}) {
+    for (Eigen::Index k = 0; k < count; ++k) (*row)[k] = (*row)[hits[static_cast<std::size_t>(k)]];
+    row->conservativeResize(count);
+  }
+  return some;
+}
+
+}  // namespace
+
+bool isCovered(const Scan& scan) {
+  constexpr double kArm = 0.6;    // m
+  constexpr double kShare = 0.1;  // of the beams
+  const Eigen::Index far =
+      (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
+  const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
+  return scan.hits() == 0 || static_cast<double>(far) < kShare * static_cast<double>(beams);
+}
+
+bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error) {
+  constexpr double kShortShare = 0.7;
+  return isCovered(scan) || range_error.at(T_map_base, scan).short_share > kShortShare;
+}
+
+Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,
+                      const RangeError& range_error) {
+  std::vector<Eigen::Index> left;
+  int fitting = 0;
+  for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+    const double off = field.at(T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]));
+    fitting += off < kOnWall ? 1 : 0;
+    const bool is_obstacle = off > kOff && range_error.missing(T_map_base, scan, i) > kOff;
+    if (!is_obstacle) left.push_back(i);
+  }
+  return fitting > kMostFits * scan.hits() ? withHits(scan, left) : scan;
+}
+
+}  // namespace adaptive_localization
