@@ -13,9 +13,8 @@ namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
-constexpr double kGoodMap = 0.1;    // m, usual error: what is off a wall is no part of the map
+constexpr double kGoodMap = 0.1;    // m, that its walls let expect: what is off a wall is not on it
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
-constexpr double kFoundFit = 0.5;   // above: a scan confirms
 
 }  // namespace
 
@@ -55,7 +54,8 @@ void Recovery::goOnFrom(const Recovery& other) {
 
 Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
   if (isOccluded(scan, T_map_base, range_error_)) return {};
-  const bool is_known = status_ == Status::kTracking && usual_.value() < kGoodMap;
+  const bool is_known =
+      status_ == Status::kTracking && UsualError(*ground_.field).value() < kGoodMap;
   return is_known ? withoutObstacles(scan, T_map_base, *ground_.field, range_error_) : scan;
 }
 

@@ -38,7 +38,7 @@ class Recovery {
 
   /// What of a scan, taken about a pose, tells a core where the robot is: nothing if nearly all
   /// beams are too short, as something stands before the laser; without obstacles that the map does
-  /// not have while it is known where the robot is, on a map that usually fits.
+  /// not have while it is known where the robot is, on a map whose walls are as thin as seen.
   Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
   /// Whether a scan contradicts the map at a pose, so that it is worth an update.
@@ -78,6 +78,7 @@ class Recovery {
  private:
   static constexpr int kContradictions = 2;  // scans in a row
   static constexpr double kLostFit = 0.2;    // below: a scan gainsays
+  static constexpr double kFoundFit = 0.5;   // above: a scan confirms
 
   void open(const Pose2& T_map_base);
   void settle();
