@@ -188,33 +188,33 @@ Status Recovery::judge() const {
 }
 
 double Recovery::shareOf(const Pose2& T_map_base) const {
-  for (const Mode& mode : modes_) {
-    if (areSamePlace(mode.T_map_base, T_map_base)) return mode.mass;
-  }
-  return is_settled_ ? 1.0 : 0.0;
+  const Mode* mode = modeAt(T_map_base, modes_);
+  return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
+}
+
+/// The place that a pose is in while several are possible, if it is about as likely as any.
+const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
+  constexpr double kFair = 0.3;  // mass
+  const Mode* mode = status_ == Status::kAmbiguous ? modeAt(T_map_base, modes_) : nullptr;
+  return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
 /// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
 /// out and another one, that explains the scan well, is likelier than all others: what a core makes
-/// of a blocked laser is no reason to jump.
+/// of a blocked laser is no reason to jump. One that was not stays in one of the likely places.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
-  if (!was_tracking_ || status_ == Status::kTracking) return true;
-  if (areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
+  if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
+  if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;
   return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
          shareOf(T_map_base) > kLikely;
 }
 
 Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const {
-  constexpr double kFair = 0.3;  // mass
   if (isCorrection(T_map_base_by_odometry, estimate.T_map_base)) return estimate.T_map_base;
-  if (status_ != Status::kAmbiguous) return T_map_base_by_odometry;
-  for (const Mode& mode : modes_) {
-    const bool is_held = areSamePlace(T_map_base_by_odometry, mode.T_map_base);
-    if (is_held && mode.mass > kFair) return mode.T_map_base;
-  }
-  return T_map_base_by_odometry;
+  const Mode* held = heldPlace(T_map_base_by_odometry);
+  return held ? held->T_map_base : T_map_base_by_odometry;
 }
 
 }  // namespace adaptive_localization

@@ -243,6 +243,22 @@ TEST(Recovery, WhileTrackingObstaclesAreNoEvidenceOfWhereTheRobotIs) {
   EXPECT_EQ(watched.recovery.evidenceOf(wrong, seen).hits(), seen.hits());
 }
 
+/// Nobody knows at which end of the hall the robot is; a core that goes to and fro is no news.
+TEST(Recovery, APoseStaysAtOneOfTwoEndsThatLookAlike) {
+  Watched watched(symmetricWorld());
+  const Pose2 truth{1.0, 0.7, 0.4};
+  watched.recovery.reset(Anywhere{});
+  Pose2 published = truth;
+  for (int i = 0; i < 10; ++i) {
+    const Pose2 core = i % 2 == 0 ? truth : twinOf(truth);
+    watched.see(truth, core);
+    ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous) << i;
+    const Estimate estimate{core, Eigen::Matrix3d::Identity() * 1e-3, {}};
+    published = watched.recovery.published(published, estimate);
+    EXPECT_THAT(published, PoseNear(truth, 0.1, 0.1)) << i;
+  }
+}
+
 /// As on a poor map: what is published must not be worse than what a core makes of it alone.
 TEST(Recovery, WhileNoScanFitsThePoseIsWhereTheCoreHasIt) {
   Watched watched(asymmetricWorld());

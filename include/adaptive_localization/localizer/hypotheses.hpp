@@ -108,4 +108,12 @@ class Hypotheses {
   std::vector<Hypothesis> all_;
 };
 
+/// The first of the modes that is the same place as a pose; null if there is none.
+inline const Mode* modeAt(const Pose2& T_map_base, const std::vector<Mode>& modes) {
+  for (const Mode& mode : modes) {
+    if (areSamePlace(mode.T_map_base, T_map_base)) return &mode;
+  }
+  return nullptr;
+}
+
 }  // namespace adaptive_localization

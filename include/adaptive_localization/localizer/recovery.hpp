@@ -88,6 +88,7 @@ class Recovery {
   void conclude();
   Status judge() const;
   double shareOf(const Pose2& T_map_base) const;
+  const Mode* heldPlace(const Pose2& T_map_base) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
 
   Ground ground_;
