@@ -8,6 +8,7 @@
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/ser/places.hpp"
 #include "estimate_refiner.hpp"
+#include "occlusion.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -72,15 +73,11 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   ground_ = std::move(ground);
   filter_ = std::move(filter);
   refiner_ = std::move(refiner);
+  match_.reset();
   recovery_.emplace(std::move(recovery));
 }
 
 Localizer::~Localizer() = default;
-
-const Match* Localizer::match() const {
-  const Match* own = refiner_ ? refiner_->match() : nullptr;
-  return own ? own : filter_->match();
-}
 
 void Localizer::configure(const Parameters& parameters) {
   Setup setup = reader_.read(parameters);
@@ -109,6 +106,7 @@ void Localizer::reset(const Prior& prior) {
   }
   filter_->reset(prior);
   if (refiner_) refiner_->reset();
+  match_.reset();
   recovery_->reset(prior);
   is_anywhere_ = std::holds_alternative<Anywhere>(prior);
   T_odom_base_at_update_.reset();
@@ -196,7 +194,12 @@ Estimate Localizer::askCore(const Pose2& motion, const Observations& observation
   Observations seen = observations;
   if (setup_.options.recovery) seen.scan = recovery_->evidenceOf(T_map_base_expected, seen.scan);
   const Estimate estimate = finite(filter_->update(motion, seen));
-  return refiner_ && !filter_->match() ? refiner_->refine(estimate, motion, seen) : estimate;
+  const bool is_refined = refiner_ && !filter_->match();
+  const Estimate answer = is_refined ? refiner_->refine(estimate, motion, seen) : estimate;
+  const Match* match = is_refined ? refiner_->match() : filter_->match();
+  match_.reset();
+  if (match) match_ = ofWholeScan(*match, seen.scan, observations.scan);
+  return answer;
 }
 
 /// To the places that are left.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occlusion.hpp"
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace adaptive_localization {
@@ -47,6 +49,17 @@ Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceF
     if (!is_obstacle) left.push_back(i);
   }
   return fitting > kMostFits * scan.hits() ? withHits(scan, left) : scan;
+}
+
+Match ofWholeScan(Match match, const Scan& left, const Scan& all) {
+  if (match.fits.empty() || left.hits() == all.hits()) return match;
+  std::vector<std::uint8_t> fits(static_cast<std::size_t>(all.hits()), 0);
+  for (Eigen::Index i = 0, k = 0; i < all.hits() && k < left.hits(); ++i) {
+    if (left.bearing[k] != all.bearing[i] || left.range[k] != all.range[i]) continue;
+    fits[static_cast<std::size_t>(i)] = match.fits[static_cast<std::size_t>(k++)];
+  }
+  match.fits = std::move(fits);
+  return match;
 }
 
 }  // namespace adaptive_localization

@@ -4,6 +4,7 @@
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/range_error.hpp"
+#include "adaptive_localization/match/match.hpp"
 
 namespace adaptive_localization {
 
@@ -21,5 +22,8 @@ bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& ran
 /// pose may be wrong and each hit tells.
 Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,
                       const RangeError& range_error);
+
+/// A match of what was left of a scan, as one of all of it: hits that were left out do not fit.
+Match ofWholeScan(Match match, const Scan& left, const Scan& all);
 
 }  // namespace adaptive_localization

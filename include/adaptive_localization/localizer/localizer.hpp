@@ -70,7 +70,7 @@ class Localizer {
 
   /// How the last scan was aligned with the map, by the filter or to refine its estimate; null
   /// where nobody does.
-  const Match* match() const;
+  const Match* match() const { return match_ ? &*match_ : nullptr; }
 
   const ScanOptions& scanOptions() const { return setup_.scan; }
   const LocalizerOptions& options() const { return setup_.options; }
@@ -107,6 +107,7 @@ class Localizer {
   bool update_requested_{false};
   std::uint64_t moves_{0};  // of the belief
   std::optional<Pose2> T_odom_base_at_update_;
+  std::optional<Match> match_;  // of the last update's scan
   Localization last_;
 };
 
