@@ -198,7 +198,10 @@ void saveMap(const OccupancyGrid& grid, const std::string& base) {
   for (int row = lattice.height() - 1; row >= 0; --row) {
     for (int column = 0; column < lattice.width(); ++column) {
       const int value = grid.cells()[lattice.index({column, row})];
-      const int grey = value < 0 ? 205 : value <= 25 ? 254 : value >= 65 ? 0 : 205;
+      const int grey = value < 0                                ? 205
+                       : value <= 25                            ? 254
+                       : value >= OccupancyGrid::kLeastOccupied ? 0
+                                                                : 205;
       image.put(static_cast<char>(grey));
     }
   }

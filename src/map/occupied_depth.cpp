@@ -8,7 +8,7 @@ namespace adaptive_localization {
 cv::Mat occupiedCells(const OccupancyGrid& map) {
   const Lattice& lattice = map.lattice();
   auto* cells = const_cast<std::int8_t*>(map.cells().data());  // OpenCV has no Mat of const
-  return cv::Mat(lattice.height(), lattice.width(), CV_8S, cells) == OccupancyGrid::kOccupied;
+  return cv::Mat(lattice.height(), lattice.width(), CV_8S, cells) >= OccupancyGrid::kLeastOccupied;
 }
 
 cv::Mat shrunk(const cv::Mat& occupied, int shape, int reach) {

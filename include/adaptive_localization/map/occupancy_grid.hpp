@@ -15,6 +15,7 @@ class OccupancyGrid {
  public:
   static constexpr std::int8_t kFree = 0;
   static constexpr std::int8_t kOccupied = 100;
+  static constexpr std::int8_t kLeastOccupied = 65;
   static constexpr std::int8_t kUnknown = -1;
 
   /// Row-major cells, row 0 at the origin. Throws std::invalid_argument when their number is not
@@ -24,7 +25,7 @@ class OccupancyGrid {
   const Lattice& lattice() const { return lattice_; }
   const std::vector<std::int8_t>& cells() const { return cells_; }
 
-  bool isOccupied(const Cell& cell) const { return at(cell) >= 65; }
+  bool isOccupied(const Cell& cell) const { return at(cell) >= kLeastOccupied; }
   bool isFree(const Cell& cell) const { return at(cell) >= 0 && at(cell) < 20; }
   std::size_t countFree() const;
 
