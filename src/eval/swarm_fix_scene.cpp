@@ -30,7 +30,8 @@ SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution)
   rows_ = std::make_shared<const RangeRows>(grid->sharedRanges());
   MatchOptions matching;
   matching.line_map = world_file;
-  matcher_ = std::make_unique<const ScanMatcher>(makeScanMatcher(matching, *map_));
+  matcher_ = std::make_unique<const ScanMatcher>(
+      makeScanMatcher(matching, *map_, distance_field_->quality()));
 }
 
 Pose2 SwarmFixScene::place(Rng& rng) const {

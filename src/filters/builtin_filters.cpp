@@ -90,7 +90,10 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
                                              given.read<EnergyGridOptions>().energy_max_range,
                                              context.ground.map, context.ground.field, places);
   const auto matching = given.read<MatchOptions>();
-  if (fixing.swarm_match) parts.match = matchBy(makeScanMatcher(matching, *context.ground.map));
+  if (fixing.swarm_match) {
+    parts.match =
+        matchBy(makeScanMatcher(matching, *context.ground.map, context.ground.field->quality()));
+  }
   parts.elsewhere = makeSampler(given, context.ground.map, places);
   parts.senses = makeSenses(context.models.senses, given, context.ground.map, context.ground.field);
   return std::make_unique<SwarmFilter>(given.read<SwarmFilterOptions>(), std::move(parts),

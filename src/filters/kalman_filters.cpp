@@ -13,15 +13,16 @@ namespace adaptive_localization {
 namespace {
 
 MatchScan makeMatchScan(const std::string& landmarks, const Parameters& given,
-                        const OccupancyGrid& map) {
+                        const Ground& ground) {
   const auto options = given.read<MatchOptions>();
   const auto lines = given.read<LineOptions>();
-  if (landmarks == "hits") return matchBy(makeScanMatcher(options, map));
+  if (landmarks == "hits")
+    return matchBy(makeScanMatcher(options, *ground.map, ground.field->quality()));
   if (options.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
   }
-  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, map.lattice())));
+  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, ground.map->lattice())));
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
@@ -31,7 +32,7 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   places.place_ser_share = 0.0;  // the best places alone
   EkfParts parts{
       makeMotionModel(context.models.motions, given),
-      makeMatchScan(options.ekf_landmarks, given, *context.ground.map),
+      makeMatchScan(options.ekf_landmarks, given, context.ground),
       std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map),
       makeSenses(context.models.senses, given, context.ground.map, context.ground.field)};
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);

@@ -76,11 +76,11 @@ bool EstimateRefiner::goesOnFrom(const Estimate& estimate, const Pose2& motion) 
 }
 
 std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
-                                                     const Parameters& given,
-                                                     const OccupancyGrid& map, Senses senses) {
+                                                     const Parameters& given, const Ground& ground,
+                                                     Senses senses) {
   return std::make_unique<EstimateRefiner>(
-      matchBy(makeScanMatcher(given.read<MatchOptions>(), map)), makeMotionModel(motions, given),
-      std::move(senses));
+      matchBy(makeScanMatcher(given.read<MatchOptions>(), *ground.map, ground.field->quality())),
+      makeMotionModel(motions, given), std::move(senses));
 }
 
 }  // namespace adaptive_localization

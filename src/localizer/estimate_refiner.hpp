@@ -8,6 +8,7 @@
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
+#include "adaptive_localization/ser/ground.hpp"
 #include "match/scan_tracker.hpp"
 
 namespace adaptive_localization {
@@ -44,7 +45,7 @@ class EstimateRefiner {
 /// By the options of matching and motion. Throws std::invalid_argument as makeScanMatcher() and
 /// makeMotionModel().
 std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescription>& motions,
-                                                     const Parameters& given,
-                                                     const OccupancyGrid& map, Senses senses);
+                                                     const Parameters& given, const Ground& ground,
+                                                     Senses senses);
 
 }  // namespace adaptive_localization

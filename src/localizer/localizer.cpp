@@ -64,7 +64,7 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
   Recovery recovery(setup.confidence, ground, senses);
   if (recovery_) recovery.goOnFrom(*recovery_);
   auto refiner = setup.options.refine ? makeEstimateRefiner(reader_.registries().motions,
-                                                            context.parameters, *ground.map, senses)
+                                                            context.parameters, ground, senses)
                                       : nullptr;
 
   setThreads(setup.options.threads);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
-constexpr double kGoodMap = 0.1;    // m, that its walls let expect: what is off a wall is not on it
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
 
 }  // namespace
@@ -23,7 +22,7 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
       senses_(senses),
       range_error_(ground.map),
       confidence_(options, ground.field, senses),
-      usual_(*ground.field),
+      usual_(ground.field->quality().rangeError()),
       hypotheses_(ground, senses) {}
 
 void Recovery::reset(const Prior& prior) {
@@ -54,9 +53,10 @@ void Recovery::goOnFrom(const Recovery& other) {
 
 Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
   if (isOccluded(scan, T_map_base, range_error_)) return {};
-  const bool is_known =
-      status_ == Status::kTracking && UsualError(*ground_.field).value() < kGoodMap;
-  return is_known ? withoutObstacles(scan, T_map_base, *ground_.field, range_error_) : scan;
+  const bool is_clear = !ground_.field->quality().hasThickWalls();
+  return is_clear && status_ == Status::kTracking
+             ? withoutObstacles(scan, T_map_base, *ground_.field, range_error_)
+             : scan;
 }
 
 void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "adaptive_localization/map/wall_depth.hpp"
 #include "occupied_depth.hpp"
 
 namespace adaptive_localization {
@@ -32,9 +31,7 @@ cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
-    : lattice_(grid.lattice()),
-      step_(lattice_.resolution() / kStepsPerCell),
-      wall_depth_(adaptive_localization::wallDepth(grid)) {
+    : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell), quality_(grid) {
   steps_.assign(lattice_.size(), kFar);
   const cv::Mat walls = wallsOf(grid, stop);
   if (walls.empty()) return;

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/map/wall_depth.hpp"
 #include "adaptive_localization/match/line_map.hpp"
 #include "alignment.hpp"
+#include "map/thin_walls.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -50,11 +50,13 @@ ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const Surf
   throw std::invalid_argument(message.str());
 }
 
-ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map) {
+ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map,
+                            const MapQuality& quality) {
   if (options.line_map.empty()) {
     ScanMatcher matcher(options, std::make_shared<const SurfaceMap>(map));
-    if (hasThickWalls(map)) {
-      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(withThinWalls(map))});
+    if (quality.hasThickWalls()) {
+      const OccupancyGrid thin = withThinWalls(map, quality.wallDepth());
+      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(thin)});
     }
     return matcher;
   }

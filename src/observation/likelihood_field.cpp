@@ -37,6 +37,7 @@ bool isSparse(const Particles& particles) {
 LikelihoodField::LikelihoodField(const ObservationOptions& options, Form form,
                                  std::shared_ptr<const DistanceField> field)
     : options_(options), form_(form), field_(std::move(field)) {
+  options_.laser_sigma_hit = sigmaHit(options, field_->quality());
   if (options_.do_beamskip && form_ == Form::kSum) {
     // a field of its own: the likelihood is flat long before the distance that explains a hit
     nearness_ = std::make_unique<ScoreField>(*field_, 2.0 * options_.beam_skip_distance,

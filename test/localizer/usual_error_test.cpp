@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/toy_world.hpp"
-
 namespace adaptive_localization {
 
 TEST(UsualError, FallsSlowlyAndRisesMoreSlowly) {
@@ -22,16 +20,6 @@ TEST(UsualError, FallsSlowlyAndRisesMoreSlowly) {
 TEST(UsualError, LimitsWhatIsNotUnusual) {
   EXPECT_DOUBLE_EQ(UsualError(0.2).limit(), 0.4);
   EXPECT_DOUBLE_EQ(UsualError(0.0).limit(), 0.1);  // a perfect map
-}
-
-TEST(UsualError, OfAMapIsLargeWhereWallsAreThick) {
-  const auto thin = toyWorld({"......", "######", "......"}, 0.05);
-  const auto thick = toyWorld({"......", "######", "......"}, 0.05, {}, 6);
-  const auto rock = toyWorld({"......", "######", "......"}, 0.05, {}, 60);
-  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*thin)).value(), 0.05);
-  EXPECT_NEAR(UsualError(DistanceField(*thick)).value(), 0.15, 0.02);  // 0.3 m deep
-  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*rock)).value(), 0.2);
-  EXPECT_DOUBLE_EQ(UsualError(DistanceField(*toyWorld({"...", "..."}, 0.05))).value(), 0.05);
 }
 
 }  // namespace adaptive_localization

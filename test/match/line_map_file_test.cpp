@@ -43,7 +43,7 @@ TEST(LineMapFile, OfShippedWorldsIsOnTheirMaps) {
     EXPECT_GT(loadLineMap(folder + "/world.yaml", map.lattice()).size(), 3U) << name;
     MatchOptions options;
     options.line_map = folder + "/world.yaml";
-    EXPECT_NO_THROW(makeScanMatcher(options, map)) << name;
+    EXPECT_NO_THROW(makeScanMatcher(options, map, MapQuality(map))) << name;
   }
 }
 

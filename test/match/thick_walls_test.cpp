@@ -30,7 +30,7 @@ std::shared_ptr<const OccupancyGrid> roomWithWalls(int from, int to) {
 
 /// How far off matches are at last, while a robot goes about the room and turns, m.
 double lastErrorOf(const OccupancyGrid& map, const std::shared_ptr<const OccupancyGrid>& world) {
-  const ScanMatcher matcher = makeScanMatcher(MatchOptions{}, map);
+  const ScanMatcher matcher = makeScanMatcher(MatchOptions{}, map, MapQuality(map));
   Pose2 truth{1.5, 1.5, 0.3};
   double error = 0.0;
   for (int i = 0; i < 10; ++i) {

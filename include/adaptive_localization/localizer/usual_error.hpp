@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/map/distance_field.hpp"
-
 namespace adaptive_localization {
 
 /// The mean range error that there is where the robot is, by map and laser. It falls within
@@ -12,10 +10,7 @@ namespace adaptive_localization {
 /// mapped well speak for the whole map, nor does a laser that is covered for a while become usual.
 class UsualError {
  public:
-  /// What a map lets expect before anything was seen: half the depth of its walls, as far as that
-  /// is more than the cell in which a beam ends. Walls that were mapped inexactly are thick.
-  explicit UsualError(const DistanceField& field);
-
+  /// Starts from what the map lets expect, m: MapQuality::rangeError().
   explicit UsualError(double value = 0.05) : value_(value) {}
 
   void observe(double error) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/stop_token.hpp"
+#include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
@@ -31,8 +32,8 @@ class DistanceField {
   /// The same between the four centres around a point, so that it does not jump where cells meet.
   double between(const Eigen::Vector2d& point_map) const;
 
-  /// Mean depth of the map's walls, m.
-  double wallDepth() const { return wall_depth_; }
+  /// Of the map that it was made from.
+  const MapQuality& quality() const { return quality_; }
 
   /// The stored steps, row-major, and how many metres one is.
   const std::vector<std::uint16_t>& steps() const { return steps_; }
@@ -44,7 +45,7 @@ class DistanceField {
 
   Lattice lattice_;
   double step_;
-  double wall_depth_;
+  MapQuality quality_;
   std::vector<std::uint16_t> steps_;
 };
 

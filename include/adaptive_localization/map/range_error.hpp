@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/map/wall_depth.hpp"
 
 namespace adaptive_localization {
 

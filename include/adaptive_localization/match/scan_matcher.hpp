@@ -9,6 +9,7 @@
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/match/match.hpp"
 #include "adaptive_localization/match/surface_map.hpp"
 
@@ -123,6 +124,7 @@ class ScanMatcher {
 /// thick, on their faces or their middles, whichever the scans fit: walls painted from a plan have
 /// faces where a laser sees them, those made of scans laid over each other inexactly do not. Throws
 /// std::invalid_argument naming the option and what is wrong with it.
-ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map);
+ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map,
+                            const MapQuality& quality);
 
 }  // namespace adaptive_localization

@@ -23,7 +23,7 @@ struct ObservationOptions {
   double laser_z_short{0.1};
   double laser_z_max{0.05};
   double laser_z_rand{0.2};
-  double laser_sigma_hit{0.04};
+  double laser_sigma_hit{0.0};  // what it is for a map: sigmaHit()
   double laser_sigma_sparse{0.2};
   double laser_lambda_short{0.1};
   double laser_likelihood_max_dist{2.0};
@@ -40,8 +40,9 @@ struct ObservationOptions {
     option("laser_z_short", laser_z_short, kProbability, "", "Weight of a short reading (beam).");
     option("laser_z_max", laser_z_max, kProbability, "", "Weight of a no-return (beam).");
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
-    option("laser_sigma_hit", laser_sigma_hit, Range{1e-3, 10}, "m",
-           "Standard deviation of a hit, of sensor and map together.");
+    option("laser_sigma_hit", laser_sigma_hit, Range{0, 10}, "m",
+           "Standard deviation of a hit, of sensor and map together; 0: as the map looks, 0.04 m "
+           "where walls are thin, up to 0.2 m where they are thick and rough.");
     option("laser_sigma_sparse", laser_sigma_sparse, Range{0, 10}, "m",
            "The same, at least, while particles are so few for the region they cover that none may "
            "be near the truth (likelihood fields).");
@@ -62,6 +63,11 @@ struct ObservationOptions {
            "If more than this share of the beams were left out, all are used.");
   }
 };
+
+/// laser_sigma_hit, m, for a map: the one that was given, else the one that the map lets expect.
+inline double sigmaHit(const ObservationOptions& options, const MapQuality& quality) {
+  return options.laser_sigma_hit > 0.0 ? options.laser_sigma_hit : quality.hitDeviation();
+}
 
 /// How well observations fit poses.
 class ObservationModel {

@@ -16,8 +16,11 @@ namespace adaptive_localization {
 /// which the likelihood field does not; a hundred times slower.
 class BeamModel : public ObservationModel {
  public:
-  BeamModel(const ObservationOptions& options, std::shared_ptr<const OccupancyGrid> map)
-      : options_(options), ray_caster_(std::move(map)) {}
+  BeamModel(const ObservationOptions& options, std::shared_ptr<const OccupancyGrid> map,
+            const MapQuality& quality)
+      : options_(options), ray_caster_(std::move(map)) {
+    options_.laser_sigma_hit = sigmaHit(options, quality);
+  }
 
   double score(const Observations& observations, const Particles& particles,
                Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/wall_depth.hpp"
+#include "map/thin_walls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,23 +21,9 @@ int occupiedInColumn(const OccupancyGrid& map, int x) {
   return count;
 }
 
-TEST(WallDepth, IsThatOfTheWalls) {
-  for (const int cells : {2, 4, 6, 9}) {
-    EXPECT_NEAR(wallDepth(*hallWithWall(cells)), 0.05 * cells, 0.05) << cells;
-  }
-  EXPECT_EQ(wallDepth(*toyWorld({"..."}, 0.05)), 0.0);
-}
-
-TEST(WallDepth, OnlyWallsThatNoLaserSawFromBothSidesAreThick) {
-  EXPECT_FALSE(hasThickWalls(*toyWorld({"..."}, 0.05)));
-  EXPECT_FALSE(hasThickWalls(*hallWithWall(1)));
-  EXPECT_FALSE(hasThickWalls(*hallWithWall(2)));
-  EXPECT_TRUE(hasThickWalls(*hallWithWall(5)));
-}
-
-TEST(WallDepth, ThickWallsShrinkToTheirMiddles) {
+TEST(ThinWalls, ThickWallsShrinkToTheirMiddles) {
   for (const int cells : {5, 8}) {
-    const OccupancyGrid thin = withThinWalls(*hallWithWall(cells));
+    const OccupancyGrid thin = withThinWalls(*hallWithWall(cells), 0.05 * cells);
     const double middle = 40 - 1 - (15 + 0.5 * (cells - 1));  // rows of art run downwards
     for (int x = 5; x < 55; ++x) {
       const int count = occupiedInColumn(thin, x);
@@ -51,9 +37,9 @@ TEST(WallDepth, ThickWallsShrinkToTheirMiddles) {
   }
 }
 
-TEST(WallDepth, UnknownGroundStaysUnknown) {
+TEST(ThinWalls, UnknownGroundStaysUnknown) {
   const auto map = toyWorld({"??????", "######", "######", "######", "######", "......"}, 0.05);
-  const OccupancyGrid thin = withThinWalls(*map);
+  const OccupancyGrid thin = withThinWalls(*map, 0.2);
   for (int x = 0; x < 6; ++x) {
     EXPECT_FALSE(thin.isFree({x, 5}));
     EXPECT_FALSE(thin.isOccupied({x, 5}));

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/map/map_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
+
+#include "occupied_depth.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// In cells, of walls two cells deep and deeper. A face is a cell that is not shut in by occupied
+/// ones on its four sides.
+double cellsDeep(const cv::Mat& occupied) {
+  const int count = cv::countNonZero(occupied);
+  if (count == 0) return 0.0;
+  const int shut_in = cv::countNonZero(shrunk(occupied, cv::MORPH_CROSS, 1));
+  return 2.0 * count / (count - shut_in);
+}
+
+/// By how much the depth, in cells, varies where it is greatest of all around: the standard
+/// deviation from the mean of a square of so many cells, as one building has walls of many kinds.
+double deviationAlongMiddles(const cv::Mat& occupied, double side) {
+  struct Square {
+    double count{0.0}, sum{0.0}, squares{0.0};
+  };
+  const cv::Mat depth = depthOf(occupied);
+  cv::Mat greatest;
+  cv::dilate(depth, greatest, cv::Mat());
+  std::vector<cv::Point> middles;
+  cv::findNonZero((depth >= greatest) & occupied, middles);
+  std::map<std::pair<int, int>, Square> squares;
+  for (const cv::Point& cell : middles) {
+    const double d = static_cast<double>(depth.at<float>(cell));
+    Square& square = squares[{static_cast<int>(cell.x / side), static_cast<int>(cell.y / side)}];
+    square.count += 1.0;
+    square.sum += d;
+    square.squares += d * d;
+  }
+  double sum = 0.0;
+  for (const auto& [place, square] : squares) {
+    sum += square.squares - square.sum * square.sum / square.count;
+  }
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(middles.size()));
+}
+
+}  // namespace
+
+MapQuality::MapQuality(const OccupancyGrid& map) : resolution_(map.lattice().resolution()) {
+  constexpr double kPiece = 2.0;  // m, of a wall
+  constexpr double kThick = 3.5;  // cells; maps of walls seen from their sides have 2.0 to 2.8
+  const cv::Mat occupied = occupiedCells(map);
+  const double cells = cellsDeep(occupied);
+  wall_depth_ = cells * resolution_;
+  has_thick_walls_ = cells > kThick;
+  roughness_ =
+      has_thick_walls_ ? deviationAlongMiddles(occupied, kPiece / resolution_) * resolution_ : 0.0;
+}
+
+double MapQuality::hitDeviation() const {
+  constexpr double kGoodMap = 0.04, kPoorMap = 0.2;  // m
+  return std::clamp(3.0 * roughness_, kGoodMap, kPoorMap);
+}
+
+double MapQuality::rangeError() const {
+  constexpr double kGoodMap = 0.05;  // m
+  constexpr double kPoorMap = 0.2;   // m, at the most: maps painted from plans have solid walls
+  return std::clamp(kGoodMap + 0.5 * wall_depth_ - resolution_, kGoodMap, kPoorMap);
+}
+
+}  // namespace adaptive_localization
