@@ -25,14 +25,12 @@ constexpr double kMostOfTold = 2.0;      // that any scan says of a kept place w
 constexpr double kMostOfTracked = 1.5;   // of its beams: what stands there may have changed
 constexpr double kMostBeams = 0.6;
 constexpr double kMostHits = 0.9;
-constexpr double kStiffness = 0.2;      // m, of the odometry, against the sum over a scan's hits
-constexpr double kPlaceStd = 0.05;      // m, of a place aligned with a scan
-constexpr double kPlaceTurnStd = 0.03;  // rad
+constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
+constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
+constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
 Eigen::Matrix3d placeCovariance() {
-  return Eigen::Vector3d(kPlaceStd * kPlaceStd, kPlaceStd * kPlaceStd,
-                         kPlaceTurnStd * kPlaceTurnStd)
-      .asDiagonal();
+  return Eigen::Vector3d(kPlaceVariance, kPlaceVariance, kPlaceTurnVariance).asDiagonal();
 }
 
 /// Where a scan fits best about a pose. Hits can be drawn to the far side of a thin wall: ranges
@@ -49,13 +47,6 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
 bool mostFits(const PlaceRefiner& refiner, const Pose2& T_map_base, double usual) {
   return refiner.fit(T_map_base).off_share < 1.0 - kMostBeams ||
          refiner.hitShare(T_map_base, UsualError(usual).limit()) > kMostHits;
-}
-
-/// Of log odds.
-double loss(double error, double least, double usual) {
-  const double level = std::max(least, usual);
-  const double excess = error - (1.0 + kToleranceShare) * level - kTolerance;
-  return std::max(0.0, excess) / std::max(kScale, kScaleShare * level);
 }
 
 }  // namespace
@@ -116,6 +107,14 @@ Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
   return log_likelihood;
 }
 
+/// Of log odds. Where walls are rough, the true place may fit worse than another.
+double Hypotheses::loss(double error, double usual) const {
+  const double level = std::max(least_error_, usual);
+  const double off = kTolerance + ground_.field->quality().roughness();
+  const double excess = error - (1.0 + kToleranceShare) * level - off;
+  return std::max(0.0, excess) / std::max(kScale, kScaleShare * level);
+}
+
 /// The better one of two ways to the core's place: from where it was and from where the core is.
 Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
                               const Place& before, double usual) {
@@ -145,7 +144,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);
   }
-  const bool is_right = core && loss(core->error, least_error_, usual) == 0.0;
+  const bool is_right = core && loss(core->error, usual) == 0.0;
   if (!is_right || least_error_ > kGoodFit) return;
   alignTwins(refiner, between(core->T_map_ridden, core->T_map_base), usual);
 }
@@ -154,11 +153,12 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
 /// is corrected as the core's was, looks the same.
 void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual) {
   for (Hypothesis& hypothesis : all_) {
-    if (loss(hypothesis.error, least_error_, usual) == 0.0) continue;
+    if (loss(hypothesis.error, usual) == 0.0) continue;
     const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
-    if (loss(place.error, least_error_, usual) > 0.0) continue;
+    if (loss(place.error, usual) > 0.0) continue;
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
+    least_error_ = std::min(least_error_, place.error);
   }
 }
 
@@ -172,7 +172,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   const Eigen::ArrayXd senses = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
-    double lost = loss(hypothesis.error, least_error_, usual);
+    double lost = loss(hypothesis.error, usual);
     if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
     hypothesis.is_explained = lost == 0.0;
     const double most = hypothesis.word > 0.0 ? kMostOfTold : kMostOfTracked;

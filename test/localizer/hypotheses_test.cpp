@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
@@ -49,6 +52,44 @@ TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
     before = massOf(hypotheses, kTruth);
   }
   EXPECT_LT(before, 0.95);
+}
+
+/// The field of a world with thick walls elsewhere, whose depth varies by more than 1 m.
+std::shared_ptr<const DistanceField> fieldWithRoughWalls(const OccupancyGrid& world) {
+  const Lattice& inner = world.lattice();
+  const Lattice lattice(3 * inner.width(), inner.height(), inner.resolution(), inner.origin());
+  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kUnknown);
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const Cell cell = lattice.cell(i);
+    const int depth = cell.x / 30 % 2 == 0 ? 6 : 28;
+    const bool is_wall = cell.x > inner.width() + 40 && cell.y % 40 < depth;
+    cells[i] = inner.contains(cell) ? world.cells()[inner.index(cell)]
+               : is_wall            ? OccupancyGrid::kOccupied
+                                    : OccupancyGrid::kFree;
+  }
+  return std::make_shared<const DistanceField>(OccupancyGrid(lattice, std::move(cells)));
+}
+
+TEST(Hypotheses, WhereWallsAreRoughLittleIsSaid) {
+  const auto world = asymmetricWorld();
+  const Ground rough(world, fieldWithRoughWalls(*world));
+  ASSERT_GT(rough.field->quality().roughness(), 0.05);
+  const auto massOfOther = [](const Ground& ground, const Pose2& other) {
+    Hypotheses hypotheses(ground);
+    hypotheses.add(kTruth, 0.0);
+    hypotheses.add(other, 0.0);
+    hypotheses.weigh(seenAt(kTruth), 1.0, 0.1);
+    return hypotheses.modes().back().mass;
+  };
+  int spared = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Pose2 other{1.0 + i % 10, 0.7 + i / 10 % 5, 1.5 * (i / 50)};
+    if (areSamePlace(other, kTruth)) continue;
+    const double before = massOfOther(world, other), now = massOfOther(rough, other);
+    EXPECT_GE(now, before - 1e-9) << i;
+    spared += now > 2.0 * before && now > 0.1 ? 1 : 0;
+  }
+  EXPECT_GT(spared, 0);
 }
 
 /// Of something that the map does not have, say.

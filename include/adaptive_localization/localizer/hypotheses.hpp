@@ -19,13 +19,14 @@ class PlaceRefiner;
 ///
 ///     log odds -= w max(0, e - 1.25 u - t) / s,   u = max(e_min, usual),   s = max(s_0, u / 4)
 ///
-/// w <= 1 is the share of the scan that is new, t what maps are off by, s_0 the error that makes a
-/// place e times less likely where the map is good. Where even the best place leaves much
-/// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as
-/// is usual may be of something that the map does not have, and says little of any place, least of
-/// all of the one where the robot was known to be. Where most of a scan fits such a place,
-/// furniture may have been moved: it loses little by little. Unlike the modes of a particle cloud,
-/// masses of places that look the same do not drift: only what is seen decides between them.
+/// w <= 1 is the share of the scan that is new, t what the map is off by, more where its walls are
+/// rough, s_0 the error that makes a place e times less likely where the map is good. Where even
+/// the best place leaves much unexplained, or much is usual, a little more tells nothing; a scan
+/// that fits nowhere as well as is usual may be of something that the map does not have, and says
+/// little of any place, least of all of the one where the robot was known to be. Where most of a
+/// scan fits such a place, furniture may have been moved: it loses little by little. Unlike the
+/// modes of a particle cloud, masses of places that look the same do not drift: only what is seen
+/// decides between them.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())
@@ -95,6 +96,7 @@ class Hypotheses {
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
 
+  double loss(double error, double usual) const;
   void align(const PlaceRefiner& refiner, double usual);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 
