@@ -60,7 +60,11 @@ void SwarmFilter::reset(const Prior& prior) {
     drawElsewhere(0.0);
     estimate_ = summarize(bats_, normalisedWeights(bats_.log_weight));
   }
-  tracker_.reset({estimate_.modes.front().T_map_base, estimate_.modes.front().covariance});
+  trackHeaviest(estimate_);
+}
+
+void SwarmFilter::trackHeaviest(const Estimate& estimate) {
+  tracker_.reset({estimate.modes.front().T_map_base, estimate.modes.front().covariance});
 }
 
 /// What odometry leaves open, and so much more.
@@ -81,7 +85,8 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
   return estimate_;
 }
 
-/// Moves pose and bats, adds the noise of odometry, and listens to other senses than the laser.
+/// Moves pose and bats, adds the noise of odometry, and listens to other senses than the laser. The
+/// heaviest mode comes last: the tracker goes on from it.
 void SwarmFilter::ride(const Pose2& motion, const Observations& observations) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
@@ -135,7 +140,9 @@ SwarmFix SwarmFilter::lookHere(const Observations& observations) {
     const double x = rng_.normal(0.0, kCloudXy), y = rng_.normal(0.0, kCloudXy);
     bats_.setPose(i, bats_.pose(i) * Pose2{x, y, rng_.normal(0.0, kCloudTheta)});
   }
-  return parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  const SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  trackHeaviest(fix.estimate);
+  return fix;
 }
 
 void SwarmFilter::fixHere(const Observations& observations) {

@@ -27,11 +27,18 @@ void SwarmFilter::drawElsewhere(double share_here) {
   bats_ = std::move(all);
 }
 
-void SwarmFilter::fixAnywhere(const Observations& observations) {
+/// What the tracker knew is of another place.
+SwarmFix SwarmFilter::lookElsewhere(double share_here, const Observations& observations) {
   parts_.elsewhere->condition(observations);
-  drawElsewhere(0.0);
+  drawElsewhere(share_here);
   SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
+  trackHeaviest(fix.estimate);
   align(observations, fix);
+  return fix;
+}
+
+void SwarmFilter::fixAnywhere(const Observations& observations) {
+  const SwarmFix fix = lookElsewhere(0.0, observations);
   take(fix, false);
   anywhere_ = fix.cost > options_.swarm_explained;
 }
@@ -45,11 +52,7 @@ bool SwarmFilter::isSpreadDue(double cost) {
 }
 
 void SwarmFilter::spread(const Observations& observations) {
-  parts_.elsewhere->condition(observations);
-  drawElsewhere(kShareHere);
-  SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
-  align(observations, fix);
-  take(fix, false);
+  take(lookElsewhere(kShareHere, observations), false);
 }
 
 }  // namespace adaptive_localization
