@@ -52,13 +52,15 @@ Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceF
 }
 
 Match ofWholeScan(Match match, const Scan& left, const Scan& all) {
-  if (match.fits.empty() || left.hits() == all.hits()) return match;
+  const auto matched = static_cast<Eigen::Index>(match.fits.size());
+  if (matched != left.hits() || matched == all.hits()) return match;
   std::vector<std::uint8_t> fits(static_cast<std::size_t>(all.hits()), 0);
   for (Eigen::Index i = 0, k = 0; i < all.hits() && k < left.hits(); ++i) {
     if (left.bearing[k] != all.bearing[i] || left.range[k] != all.range[i]) continue;
     fits[static_cast<std::size_t>(i)] = match.fits[static_cast<std::size_t>(k++)];
   }
   match.fits = std::move(fits);
+  match.inlier_ratio *= static_cast<double>(left.hits()) / all.hits();
   return match;
 }
 

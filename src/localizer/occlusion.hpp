@@ -23,7 +23,8 @@ bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& ran
 Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,
                       const RangeError& range_error);
 
-/// A match of what was left of a scan, as one of all of it: hits that were left out do not fit.
+/// A match of what was left of a scan, as one of all of it: hits that were left out do not fit. One
+/// that does not tell which hits fit stays as it is.
 Match ofWholeScan(Match match, const Scan& left, const Scan& all);
 
 }  // namespace adaptive_localization
