@@ -60,7 +60,7 @@ struct SwarmFixOptions {
 /// What a swarm found.
 struct SwarmFix {
   Estimate estimate{};           // of the bats
-  double cost{0.0};              // of its pose: of ranges, by ray casting
+  double cost{0.0};              // of the match, else of its pose: of ranges, by ray casting
   std::optional<Match> match{};  // of the scan from that pose on, if it tells something
   bool has_odometry{false};      // weighed in by the search
   int iterations{0};

@@ -8,12 +8,6 @@
 #include "match/pose_kalman.hpp"
 
 namespace adaptive_localization {
-namespace {
-
-constexpr double kContradiction = 0.2;  // a fit below tells that the robot is not there
-
-}  // namespace
-
 Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field,
                        Senses senses)
     : options_(options), field_(std::move(field)), senses_(std::move(senses)) {

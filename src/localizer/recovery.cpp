@@ -181,7 +181,7 @@ Status Recovery::judge() const {
   }
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
-  const bool fits = fit >= (was_lost ? kFoundFit : kLostFit);
+  const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (confidence_.contradictions() >= kContradictions) return nowhere;
   if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
   return confidence_.isCompact() && fits ? Status::kTracking : nowhere;

@@ -7,9 +7,9 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr Eigen::Index kBeams = 90;       // looked at, of a scan that has more
-constexpr double kLastStep = 0.005;       // m: so near to its minimum is a place that was searched,
-constexpr double kLastStepHere = 0.0015;  // m: one that is followed, lest what is left adds up
+constexpr Eigen::Index kBeams = 90;        // looked at, of a scan that has more
+constexpr double kLeastStep = 0.005;       // m: steps are halved down to this for a place that was
+constexpr double kLeastStepHere = 0.0015;  // m: searched, and for one that is followed
 
 Eigen::Index strideFor(Eigen::Index beams) {
   return std::max<Eigen::Index>(1, beams / kBeams);
@@ -56,9 +56,9 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   Pose2 pose = T_map_base;
   double step = std::max(0.04, 0.5 * field_.lattice().resolution());  // m
   double turn = 0.5 * kDirectionStep;                                 // rad
-  const double last_step = stiffness > 0.0 ? kLastStepHere : kLastStep;
+  const double least_step = stiffness > 0.0 ? kLeastStepHere : kLeastStep;
   double best = cost(pose);
-  while (step > last_step) {
+  while (step > least_step) {
     const Pose2 moves[] = {{step, 0, 0},  {-step, 0, 0}, {0, step, 0},
                            {0, -step, 0}, {0, 0, turn},  {0, 0, -turn}};
     bool better = false;

@@ -17,9 +17,10 @@ class PlaceRefiner {
                const Scan& scan, double max_range, double truncation);
 
   /// Pattern search (Hooke and Jeeves 1961) for the least sum of min(d, truncation) over hits, d
-  /// the distance to the nearest obstacle, to a centimetre and a quarter of a degree. With a
-  /// stiffness, in m, a move of 0.1 m or 0.05 rad costs that much, and moves their squares: where
-  /// the scan does not fix the pose, as along a wall, it stays.
+  /// the distance to the nearest obstacle, to a centimetre and a quarter of a degree, with
+  /// stiffness to a quarter of that. With a stiffness, in m, a move of 0.1 m or 0.05 rad costs that
+  /// much, and moves their squares: where the scan does not fix the pose, as along a wall, it
+  /// stays.
   Place refine(const Pose2& T_map_base, double stiffness = 0.0) const;
 
   /// Of ranges, truncated, both cut off at max_range.

@@ -47,6 +47,8 @@ struct ConfidenceOptions {
 /// estimate halves it.
 class Confidence {
  public:
+  static constexpr double kContradiction = 0.2;  // a fit below tells that the robot is not there
+
   Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field,
              Senses senses = noSenses());
 

@@ -38,12 +38,13 @@ class Recovery {
 
   /// What of a scan, taken about a pose, tells a core where the robot is: nothing if nearly all
   /// beams are too short, as something stands before the laser; without obstacles that the map does
-  /// not have while it is known where the robot is, on a map whose walls are as thin as seen.
+  /// not have while tracking, if the map's walls are thin. The laser's whole view stays: places are
+  /// looked for by it.
   Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
   /// Whether a scan contradicts the map at a pose, so that it is worth an update.
   bool isContradicted(const Pose2& T_map_base, const Scan& scan) const {
-    return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < kLostFit;
+    return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction;
   }
 
   /// Takes note of an update of the core: the motion since the last one, where odometry expected
@@ -77,7 +78,6 @@ class Recovery {
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
-  static constexpr double kLostFit = 0.2;    // below: a scan gainsays
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
 
   void open(const Pose2& T_map_base);

@@ -33,7 +33,8 @@ class SearchPace {
   void skipScan() { --scans_left_; }
 
   /// Whether a scan that fits the core's place as badly as this, m, is worth a search: the pause is
-  /// over, or it fits far worse than the one for which nothing better was found.
+  /// over, or it fits far worse than the one for which nothing better was found, as long as that
+  /// one left room for it: errors end at RangeError::kTruncation.
   bool isOver(double error) const {
     return scans_left_ <= 0 || error > kFarWorse * error_without_better_;
   }
