@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
+constexpr double kUnfit = 0.3;      // m, of a scan that tells of no place
 constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
 
 }  // namespace
@@ -31,7 +32,7 @@ void Recovery::reset(const Prior& prior) {
   was_tracking_ = false;
   told_ = ToldPose(is_told);
   odds_ = TrackingOdds(is_told);
-  unexplained_ = 0;
+  unexplained_ = unfit_ = 0;
   pace_.restart();
   confidence_.reset();
   settle();
@@ -76,6 +77,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const double error = range_error_.at(T_map_base, observations.scan).error;
   const bool is_unexplained = error > usual_.limit() || confidence_.isGainsaid();
   unexplained_ = is_unexplained ? unexplained_ + 1 : 0;
+  unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
     usual_.observe(error);
     pace_.restart();
@@ -170,7 +172,8 @@ void Recovery::conclude() {
 }
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
-/// no scan told it from all others.
+/// no scan told it from all others; nor is a place that hardly explains the scans, however usual
+/// such scans are: so badly they fit many another.
 Status Recovery::judge() const {
   if (told_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
@@ -182,14 +185,9 @@ Status Recovery::judge() const {
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
-  if (confidence_.contradictions() >= kContradictions) return nowhere;
+  if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
   if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
   return confidence_.isCompact() && fits ? Status::kTracking : nowhere;
-}
-
-double Recovery::shareOf(const Pose2& T_map_base) const {
-  const Mode* mode = modeAt(T_map_base, modes_);
-  return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
 }
 
 /// The place that a pose is in while several are possible, if it is about as likely as any.

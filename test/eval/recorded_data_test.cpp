@@ -121,6 +121,25 @@ INSTANTIATE_TEST_SUITE_P(RecordedData, PoorMap,
                                   std::to_string(std::get<1>(about.param));
                          });
 
+// Twice the odometry says forward while the robot backs up by a metre, and walls are 0.1 m thicker
+// than they should be: no core keeps the place, but none may call a wrong one "tracking" for long.
+const Drive kWrongOdometry{"fr079", "fr079.bag",     "map_full.yaml",   0.0,
+                           1500.0,  "--truth-topic", "/reference_pose", 10.0};
+
+class WrongOdometry : public testing::TestWithParam<const char*> {};
+
+TEST_P(WrongOdometry, IsNotCalledTrackingForLong) {
+  if (isAbsent(dataFolder() + "/" + kWrongOdometry.folder)) GTEST_SKIP() << "no recorded data";
+  const nlohmann::json told =
+      replayed(kWrongOdometry, {"--filter", GetParam(), "--seed", "1", "--spoil", "thick:0.1"});
+  EXPECT_GT(told.at("scans"), 500);
+  EXPECT_GT(told.at("tracking_share"), 0.5) << told;
+  EXPECT_LT(told.at("misled_longest_s"), 15.0) << told;
+}
+
+INSTANTIATE_TEST_SUITE_P(RecordedData, WrongOdometry, testing::Values("sa_kld", "ekf_icp"),
+                         [](const auto& about) { return std::string(about.param); });
+
 TEST(RecordedData, BagAndCarmenLogTellTheSame) {
   const std::string folder = dataFolder() + "/intel/";
   if (isAbsent(folder)) GTEST_SKIP() << "no recorded data";

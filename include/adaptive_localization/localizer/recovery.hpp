@@ -87,7 +87,10 @@ class Recovery {
   void search(const Observations& observations);
   void conclude();
   Status judge() const;
-  double shareOf(const Pose2& T_map_base) const;
+  double shareOf(const Pose2& T_map_base) const {
+    const Mode* mode = modeAt(T_map_base, modes_);
+    return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
+  }
   const Mode* heldPlace(const Pose2& T_map_base) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
 
@@ -109,7 +112,8 @@ class Recovery {
 
   bool searched_{false};   // since the race was opened, and something was found
   bool explained_{false};  // some place explains the last scan
-  int unexplained_{0};     // scans in a row that do not fit the core's place
+  int unexplained_{0};     // scans in a row that fit the core's place worse than is usual,
+  int unfit_{0};           // or hardly at all
   int contradictions_{0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
 };
