@@ -13,6 +13,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kGoodHits = 0.04, kPoorHits = 0.2;  // m, deviations on good and poor maps
+
 /// In cells, of walls two cells deep and deeper. A face is a cell that is not shut in by occupied
 /// ones on its four sides.
 double cellsDeep(const cv::Mat& occupied) {
@@ -62,8 +64,11 @@ MapQuality::MapQuality(const OccupancyGrid& map) : resolution_(map.lattice().res
 }
 
 double MapQuality::hitDeviation() const {
-  constexpr double kGoodMap = 0.04, kPoorMap = 0.2;  // m
-  return std::clamp(3.0 * roughness_, kGoodMap, kPoorMap);
+  return std::clamp(3.0 * roughness_, kGoodHits, kPoorHits);
+}
+
+double MapQuality::middleDeviation() const {
+  return std::clamp(1.5 * roughness_, kGoodHits, kPoorHits);
 }
 
 double MapQuality::rangeError() const {

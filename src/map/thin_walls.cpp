@@ -2,6 +2,7 @@
 #include "thin_walls.hpp"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,17 @@ OccupancyGrid withThinWalls(const OccupancyGrid& map, double wall_depth) {
     if (!map.isOccupied(cell)) continue;
     const bool is_deep = static_cast<double>(depth.at<float>(cell.y, cell.x)) >= usual;
     if (!is_deep && !isRidge(depth, cell.x, cell.y)) cells[i] = OccupancyGrid::kFree;
+  }
+  return {lattice, std::move(cells)};
+}
+
+OccupancyGrid withHollowWalls(const OccupancyGrid& map) {
+  const Lattice& lattice = map.lattice();
+  std::vector<std::int8_t> cells = map.cells();
+  const cv::Mat shut_in = shrunk(occupiedCells(map), cv::MORPH_CROSS, 1);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = lattice.cell(i);
+    if (shut_in.at<std::uint8_t>(cell.y, cell.x) != 0) cells[i] = OccupancyGrid::kFree;
   }
   return {lattice, std::move(cells)};
 }

@@ -9,4 +9,8 @@ namespace adaptive_localization {
 /// least half as deep, and the ridges of the others.
 OccupancyGrid withThinWalls(const OccupancyGrid& map, double wall_depth);
 
+/// The map with hollow walls: of the occupied cells those that are not shut in by such on their
+/// four sides.
+OccupancyGrid withHollowWalls(const OccupancyGrid& map);
+
 }  // namespace adaptive_localization

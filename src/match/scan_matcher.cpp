@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kLeastHits = 10;       // of a scan that is matched
 constexpr double kSmallStep = 1e-4;  // m: the end
-constexpr double kNoise = 0.005;     // m, of mean distances
 constexpr double kShrink = 0.7;      // of the reach, from one iteration to the next
 
 /// Root mean square distance of the hits from base, at least a metre.
@@ -67,12 +66,10 @@ ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& ma
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {
   const Match own = matchAlone(guess, scan, prior);
   if (!other_) return own;
-  constexpr double kMost = 5.0;  // of the lead, so that it can be lost again
+  constexpr double kNoise = 0.005;  // m, of mean distances
   const Match others = other_->match(guess, scan, prior);
-  const double evidence = std::log((badness(own) + kNoise) / (badness(others) + kNoise));
-  lead_of_other_ += std::min(1.0, std::max(-1.0, evidence));
-  lead_of_other_ = std::min(kMost, std::max(-kMost, lead_of_other_));
-  return lead_of_other_ > 0.0 ? others : own;
+  vote_.add(std::log((badness(own) + kNoise) / (badness(others) + kNoise)));
+  return vote_.leadOfMiddles() > 0.0 ? others : own;
 }
 
 void ScanMatcher::tryAlso(ScanMatcher other) {

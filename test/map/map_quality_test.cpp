@@ -79,6 +79,14 @@ TEST(MapQuality, HitsDeviateByThreeTimesWhatTheDepthVaries) {
   EXPECT_DOUBLE_EQ(qualityOfWall(waves).hitDeviation(), 0.2);  // at the most
 }
 
+TEST(MapQuality, HitsDeviateHalfAsMuchFromMiddles) {
+  EXPECT_DOUBLE_EQ(qualityOfNoWall().middleDeviation(), 0.04);
+  EXPECT_DOUBLE_EQ(qualityOfEvenWall(9).middleDeviation(), 0.04);
+  const MapQuality rough = qualityOfWall(waves);
+  EXPECT_DOUBLE_EQ(rough.middleDeviation(), 1.5 * rough.roughness());
+  EXPECT_GT(rough.middleDeviation(), 0.075);
+}
+
 TEST(MapQuality, CellsThatAreLikelyOccupiedAreWalls) {
   const auto sure = toyWorld({"......", "######", "......"}, 0.05, {}, 6);
   std::vector<std::int8_t> cells = sure->cells();

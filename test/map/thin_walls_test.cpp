@@ -37,6 +37,18 @@ TEST(ThinWalls, ThickWallsShrinkToTheirMiddles) {
   }
 }
 
+TEST(ThinWalls, HollowOnesKeepTheirFaces) {
+  for (const int cells : {1, 2, 5}) {
+    const auto whole = hallWithWall(cells);
+    const OccupancyGrid hollow = withHollowWalls(*whole);
+    const int first = 40 - 15 - cells, last = 40 - 1 - 15;  // rows of art run downwards
+    for (int y = 0; y < 40; ++y) {
+      EXPECT_EQ(hollow.isOccupied({30, y}), y == first || y == last) << cells << ", row " << y;
+      EXPECT_NE(hollow.isOccupied({30, y}), hollow.isFree({30, y})) << cells << ", row " << y;
+    }
+  }
+}
+
 TEST(ThinWalls, UnknownGroundStaysUnknown) {
   const auto map = toyWorld({"??????", "######", "######", "######", "######", "......"}, 0.05);
   const OccupancyGrid thin = withThinWalls(*map, 0.2);

@@ -4,29 +4,12 @@
 // inexactly.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "support/pose_matchers.hpp"
-#include "support/toy_world.hpp"
+#include "support/thick_room.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-/// A room of 4 m by 3 m, its walls in the cells that are `from` to before `to` cells behind it.
-std::shared_ptr<const OccupancyGrid> roomWithWalls(int from, int to) {
-  constexpr int kWidth = 80, kHeight = 60, kMargin = 10;  // cells
-  const Lattice lattice(kWidth + 2 * kMargin, kHeight + 2 * kMargin, 0.05, {});
-  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kFree);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Cell cell = lattice.cell(i);
-    const int beyond_x = std::max(kMargin - 1 - cell.x, cell.x - kMargin - kWidth);
-    const int beyond_y = std::max(kMargin - 1 - cell.y, cell.y - kMargin - kHeight);
-    const int behind = std::max(beyond_x, beyond_y);
-    if (behind >= from && behind < to) cells[i] = OccupancyGrid::kOccupied;
-  }
-  return std::make_shared<const OccupancyGrid>(lattice, std::move(cells));
-}
 
 /// How far off matches are at last, while a robot goes about the room and turns, m.
 double lastErrorOf(const OccupancyGrid& map, const std::shared_ptr<const OccupancyGrid>& world) {

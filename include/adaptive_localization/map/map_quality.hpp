@@ -32,6 +32,10 @@ class MapQuality {
   /// Standard deviation of a hit from the wall it is of, m, of sensor and map together.
   double hitDeviation() const;
 
+  /// The same from the middle of the wall it is of, where walls are thick as scans were laid over
+  /// each other inexactly: half as much, as a beam may end anywhere in such a wall.
+  double middleDeviation() const;
+
   /// Mean range error of a scan at the robot's place, m: half the depth of the walls, as far as
   /// that is more than the cell in which a beam ends.
   double rangeError() const;

@@ -10,6 +10,7 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/map_quality.hpp"
+#include "adaptive_localization/map/wall_vote.hpp"
 #include "adaptive_localization/match/match.hpp"
 #include "adaptive_localization/match/surface_map.hpp"
 
@@ -117,7 +118,7 @@ class ScanMatcher {
   MatchOptions options_;
   std::shared_ptr<const SurfaceMap> surfaces_;
   std::shared_ptr<const ScanMatcher> other_;
-  mutable double lead_of_other_{0.0};  // in log ratios of mean distances
+  mutable WallVote vote_;
 };
 
 /// On the surfaces of a map, or of the floor plan that the options name. Where the map's walls are
