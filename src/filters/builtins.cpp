@@ -7,6 +7,7 @@
 #include "adaptive_localization/observation/likelihood_field.hpp"
 #include "adaptive_localization/observation/range_models.hpp"
 #include "builtin_filters.hpp"
+#include "observation/thick_walls_field.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -37,8 +38,13 @@ void addMotions(Registry<MotionDescription>& motions) {
 
 ObservationDescription likelihoodField(const std::string& name, const std::string& sentence,
                                        LikelihoodField::Form form) {
-  const auto make = [form](const Parameters& given, const MapPtr&, const FieldPtr& field) {
-    return std::make_unique<LikelihoodField>(given.read<ObservationOptions>(), form, field);
+  const auto make = [form](const Parameters& given, const MapPtr& map,
+                           const FieldPtr& field) -> std::unique_ptr<ObservationModel> {
+    const auto options = given.read<ObservationOptions>();
+    if (form == LikelihoodField::Form::kTempered && field->quality().hasThickWalls()) {
+      return std::make_unique<ThickWallsField>(options, map, field);
+    }
+    return std::make_unique<LikelihoodField>(options, form, field);
   };
   return {name, sentence, make, describe(ObservationOptions{})};
 }

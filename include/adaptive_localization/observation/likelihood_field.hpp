@@ -24,6 +24,9 @@ class ScoreField;
 /// Where the particles are fewer than 30 per bin of half a metre and 10 degrees, none may be within
 /// sigma_hit of the truth; sigma_hit is then at least laser_sigma_sparse.
 ///
+/// On a map with thick walls likelihood_field measures from their faces or their middles, as scans
+/// tell (ThickWallsField).
+///
 /// One table look-up per particle and hit. The beam model knows in addition that a wall hides what
 /// is behind it, at a hundred times the price.
 class LikelihoodField : public ObservationModel {
