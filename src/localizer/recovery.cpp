@@ -12,9 +12,10 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
-constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
-constexpr double kUnfit = 0.3;      // m, of a scan that tells of no place
-constexpr double kNewWay = 0.3;     // m or rad, after which a scan is new evidence
+constexpr double kExplained = 0.2;    // m, mean range error of a scan that a place explains
+constexpr double kUnfit = 0.3;        // m, of a scan that tells of no place
+constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
+constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
 
 }  // namespace
 
@@ -140,15 +141,18 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   // while no place explains the scans each may be the one that tells, but searching is not free
   const bool has_places = searched_ && explained_;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
-  hypotheses_.weigh(observations, std::min(1.0, way_ / kNewWay), usual_.value());
+  const double share = std::min(1.0, way_ / kNewWay);
+  hypotheses_.weigh(observations, share, usual_.value());
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
   explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  const bool is_elsewhere = hypotheses_.isCoreBeside() || !hypotheses_.knows(T_map_base);
-  contradictions_ = explained_ && is_elsewhere ? contradictions_ + 1 : 0;
+  const bool is_elsewhere = !hypotheses_.knows(T_map_base);
+  const bool is_ruled_out = explained_ && (is_elsewhere || hypotheses_.isCoreBeside());
+  const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
+  contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
-  if (!searched_ || contradictions_ > 0 || !is_one) return;
+  if (!searched_ || is_ruled_out || !is_one) return;
   if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
   settle();
   odds_.find();

@@ -110,11 +110,11 @@ class Recovery {
   TrackingOdds odds_;
   double way_{0.0};  // since the last scan that counted, m or rad
 
-  bool searched_{false};   // since the race was opened, and something was found
-  bool explained_{false};  // some place explains the last scan
-  int unexplained_{0};     // scans in a row that fit the core's place worse than is usual,
-  int unfit_{0};           // or hardly at all
-  int contradictions_{0};  // scans in a row for which the odds ruled it out
+  bool searched_{false};        // since the race was opened, and something was found
+  bool explained_{false};       // some place explains the last scan
+  int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
+  int unfit_{0};                // or hardly at all
+  double contradictions_{0.0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
 };
 
