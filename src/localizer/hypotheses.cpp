@@ -7,6 +7,7 @@
 
 #include "adaptive_localization/localizer/usual_error.hpp"
 #include "adaptive_localization/ser/place.hpp"
+#include "kept_place.hpp"
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
@@ -21,11 +22,7 @@ constexpr double kScaleShare = 0.25;
 constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
-constexpr double kMostOfTold = 2.0;      // that any scan says of a kept place which explains most
-constexpr double kMostOfTracked = 1.5;   // of its beams: what stands there may have changed
-constexpr double kMostBeams = 0.6;
-constexpr double kMostHits = 0.9;
-constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
+constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
@@ -40,13 +37,6 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
   const Place stayed{T_map_base, refiner.error(T_map_base)};
   const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
   return is_better ? moved : stayed;
-}
-
-/// Whether most of a scan fits a place, by ranges or by where hits are: rather has something there
-/// changed than is it another.
-bool mostFits(const PlaceRefiner& refiner, const Pose2& T_map_base, double usual) {
-  return refiner.fit(T_map_base).off_share < 1.0 - kMostBeams ||
-         refiner.hitShare(T_map_base, UsualError(usual).limit()) > kMostHits;
 }
 
 }  // namespace
@@ -175,10 +165,11 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     double lost = loss(hypothesis.error, usual);
     if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
     hypothesis.is_explained = lost == 0.0;
-    const double most = hypothesis.word > 0.0 ? kMostOfTold : kMostOfTracked;
-    hypothesis.is_spared =
-        lost > most && hypothesis.is_kept && mostFits(refiner, hypothesis.T_map_base, usual);
-    if (hypothesis.is_spared) lost = most;
+    if (hypothesis.is_kept) {
+      const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+      hypothesis.is_spared = lost > most;
+      lost = std::min(lost, most);
+    }
     const double told = senses[static_cast<Eigen::Index>(i)] - lost;
     hypothesis.log_odds += (hypothesis.is_new ? 1.0 : share) * told;
     hypothesis.is_new = false;

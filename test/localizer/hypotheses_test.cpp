@@ -227,6 +227,20 @@ TEST(Hypotheses, APlaceThatComesLateHasNoAdvantage) {
   EXPECT_NEAR(hypotheses.entry(3.0), -4.5, 1e-9);  // what the kept one has lost
 }
 
+/// As where a wall is missing on the map: another place would show through walls.
+TEST(Hypotheses, AKeptPlaceWhereSomethingWasBroughtLosesLeast) {
+  const auto seen =
+      ToyLaser{91, -kPi / 4, kPi / 4, 12.0}.observe(roomWithCupboard(), kBeforeTheCupboard);
+  Hypotheses hypotheses(roomWithCupboard());
+  hypotheses.addKept(kTwin, tracked(1.0));
+  hypotheses.add(kBeforeTheCupboard, 0.0);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  EXPECT_NEAR(hypotheses.entry(3.0), -0.6, 1e-9);  // what the kept one has lost
+  hypotheses.prune();
+  EXPECT_GT(massOf(hypotheses, kTwin), 0.99);
+  EXPECT_TRUE(hypotheses.knows(kBeforeTheCupboard));
+}
+
 TEST(Hypotheses, TellsThatACoreIsBesideItsPlace) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);

@@ -24,9 +24,9 @@ class PlaceRefiner;
 /// the best place leaves much unexplained, or much is usual, a little more tells nothing; a scan
 /// that fits nowhere as well as is usual may be of something that the map does not have, and says
 /// little of any place, least of all of the one where the robot was known to be. Where most of a
-/// scan fits such a place, furniture may have been moved: it loses little by little. Unlike the
-/// modes of a particle cloud, masses of places that look the same do not drift: only what is seen
-/// decides between them.
+/// scan fits such a place, furniture may have been moved: it loses little by little, and least
+/// where beams only end before what the map has. Unlike the modes of a particle cloud, masses of
+/// places that look the same do not drift: only what is seen decides between them.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())

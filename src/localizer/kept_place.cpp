@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kept_place.hpp"
+
+#include <limits>
+
+#include "adaptive_localization/localizer/usual_error.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kMostBeams = 0.6, kMostHits = 0.9;           // of a scan that fits
+constexpr double kThrough = 0.05;                             // of the beams, beyond a wall
+constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
+
+}  // namespace
+
+double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
+                   double usual_error) {
+  const RangeError::Fit fit = refiner.fit(T_map_base);
+  const bool most_fits = fit.off_share < 1.0 - kMostBeams ||
+                         refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
+  if (!most_fits) return std::numeric_limits<double>::infinity();
+  if (fit.off_share - fit.short_share < kThrough) return kHidden;
+  return is_word ? kTold : kTracked;
+}
+
+}  // namespace adaptive_localization
