@@ -37,6 +37,7 @@ Gaussian2 heaviestOf(const Particles& cloud) {
 
 void EkfIcp::reset(const Prior& prior) {
   gainsaid_ = 0;
+  way_ = 0.0;
   match_.reset();
   anywhere_ = std::holds_alternative<Anywhere>(prior);
   const auto* cloud = std::get_if<Particles>(&prior);
@@ -71,7 +72,10 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   if (mayBeJump(motion, observations.stamp - stamp_)) undoJump(before, observations.scan);
   stamp_ = observations.stamp;
   if (anywhere_ && match_->isGood()) match_->fault = MatchFault::kNoGuess;
+  if (parts_.scans && match_->isGood()) match_->fault = MatchFault::kSlides;
   correct();
+  way_ += std::max(distance({}, motion), std::abs(motion.theta));
+  if (parts_.scans && !anywhere_) weighCloud(observations);
   if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
   return estimate();
 }
@@ -91,6 +95,19 @@ void EkfIcp::undoJump(const Pose2& T_map_base_before, const Scan& scan) {
   if (!stayed.isGood() || stayed.inlier_ratio < kBetter * match_->inlier_ratio) return;
   tracker_.reset({T_map_base_before, tracker_.covariance()});
   match_ = stayed;
+}
+
+void EkfIcp::weighCloud(const Observations& observations) {
+  constexpr double kNewWay = 0.1;          // m or rad
+  constexpr double kLeastEffective = 0.1;  // share of the cloud
+  if (way_ < kNewWay) return;
+  Particles cloud = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(cloud.size());
+  if (parts_.scans->score(observations, cloud, log_likelihood) <= 0.0) return;
+  const Eigen::ArrayXd equal = normalisedWeights(cloud.log_weight);
+  cloud.log_weight = temperedWeights(equal, log_likelihood, kLeastEffective).log();
+  tracker_.reset(heaviestOf(cloud));
+  way_ = 0.0;
 }
 
 /// By the match; says what is wrong with it if it does not correct.

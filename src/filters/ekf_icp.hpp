@@ -21,6 +21,7 @@ struct EkfOptions {
   double ekf_gate{11.34};
   int ekf_rejected_scans{3};
   int ekf_cloud{200};
+  bool ekf_weigh_cloud{true};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -33,7 +34,10 @@ struct EkfOptions {
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
            "Scans in a row that only odometry gainsays before they are believed and it is not.");
     option("ekf_cloud", ekf_cloud, Range{1, 100000}, "",
-           "Particles drawn from the belief, for those who want to see a cloud.");
+           "Particles drawn from the belief: to be seen, and to correct it where matches cannot.");
+    option("ekf_weigh_cloud", ekf_weigh_cloud,
+           "Where walls are so thick on the map that hits slide in them, weigh the cloud by the "
+           "scan and go on from its mean and covariance, whatever matches say.");
   }
 };
 
@@ -42,6 +46,7 @@ struct EkfParts {
   MatchScan match;
   std::unique_ptr<PoseSampler> elsewhere;
   std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
+  std::unique_ptr<ObservationModel> scans{};  // null: a map on which matches correct
 };
 
 /// An extended Kalman filter that is corrected by matching scans with the map:
@@ -52,6 +57,11 @@ struct EkfParts {
 /// A match with too many outliers, or one that odometry gainsays (gate), corrects nothing: the
 /// covariance grows. A match that fits scan after scan is believed after all. From an unknown start
 /// the pose is that of the place where the first scan fits best.
+///
+/// Where walls are thick on the map, hits slide in them. There a small cloud corrects: poses drawn
+/// from the belief are weighed by the observation model, and their mean and covariance are the
+/// belief (Gaussian particle filter, Kotecha and Djuric, IEEE Transactions on Signal Processing
+/// 51(10), 2003); each 0.1 m or 0.1 rad, as scans from one place tell the same.
 class EkfIcp : public Filter {
  public:
   EkfIcp(const EkfOptions& options, EkfParts parts, std::uint64_t seed)
@@ -66,6 +76,7 @@ class EkfIcp : public Filter {
  private:
   void undoJump(const Pose2& T_map_base_before, const Scan& scan);
   void correct();
+  void weighCloud(const Observations& observations);
   void startAt(const Observations& observations);
 
   EkfOptions options_;
@@ -76,6 +87,7 @@ class EkfIcp : public Filter {
   std::optional<Match> match_;
   bool anywhere_{false};
   double stamp_{0.0};  // of the last update, s
+  double way_{0.0};    // since a cloud was weighed, m or rad
   int gainsaid_{0};    // good matches in a row
 };
 

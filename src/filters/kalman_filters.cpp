@@ -35,6 +35,11 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
       makeMatchScan(options.ekf_landmarks, given, context.ground),
       std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map),
       makeSenses(context.models.senses, given, context.ground.map, context.ground.field)};
+  const Ground& ground = context.ground;
+  auto scans = makeObservationModel(context.models.observations, given, ground.map, ground.field);
+  const bool has_plan = !given.read<MatchOptions>().line_map.empty();
+  const bool hits_slide = ground.field->quality().hasThickWalls() && !has_plan;
+  if (options.ekf_weigh_cloud && hits_slide) parts.scans = std::move(scans);
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }
 
@@ -42,8 +47,8 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
 
 FilterDescription ekfIcp() {
   std::vector<OptionDescription> all;
-  for (const auto& rows :
-       {describe(MotionChoice{}), describe(EkfOptions{}), describe(LineOptions{})}) {
+  for (const auto& rows : {describe(MotionChoice{}), describe(ObservationChoice{}),
+                           describe(EkfOptions{}), describe(LineOptions{})}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return {"ekf_icp",

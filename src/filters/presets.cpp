@@ -45,6 +45,7 @@ Preset sourceOfEkfIcp() {
           {"match_least_inliers", 0.0},
           {"ekf_gate", 1e9},
           {"ekf_rejected_scans", 1000},
+          {"ekf_weigh_cloud", false},
           {"match_map_std", 0.0},
           {"match_map_turn_std", 0.0},
           {"update_min_d", 0.0},

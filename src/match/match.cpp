@@ -15,6 +15,8 @@ std::string toText(MatchFault fault) {
       return "the scan tells of no direction";
     case MatchFault::kJump:
       return "too far from where odometry says";
+    case MatchFault::kSlides:
+      return "walls so thick that hits slide in them";
     default:
       return "none";
   }

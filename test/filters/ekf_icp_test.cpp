@@ -9,6 +9,7 @@
 #include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/thick_room.hpp"
 #include "support/toy_drive.hpp"
 
 namespace adaptive_localization {
@@ -77,6 +78,29 @@ TEST(EkfIcp, SaysThatPeopleAreAllItSees) {
   const Estimate estimate = filter->update({}, crowdedAt(kPlace, 1.0));
   EXPECT_EQ(filter->match()->fault, MatchFault::kOutliers);
   EXPECT_THAT(estimate.T_map_base, PoseNear(kPlace, 1e-9, 1e-9));
+}
+
+/// Its error where it has gone about a room with walls 0.35 m thick, of which the laser sees what
+/// is in their middles, m.
+double errorBetweenThickWalls(bool weighs) {
+  const auto map = roomWithWalls(0, 7), world = roomWithWalls(3, 4);
+  FilterContext context{builtins(), map};
+  context.parameters.set("ekf_weigh_cloud", OptionValue(weighs));
+  const auto filter = builtins().filters.make("ekf_icp", context);
+  Pose2 truth{1.5, 1.5, 0.3};
+  filter->reset(roughly(truth * Pose2{0.1, 0.08, 0.0}));
+  for (int k = 0; k < 40; ++k) {
+    const Pose2 motion{k % 20 < 10 ? 0.1 : -0.1, 0.0, 0.1};
+    truth = truth * motion;
+    filter->update(motion, ToyLaser{181, -kPi / 2, kPi / 2, 12.0}.observe(world, truth));
+  }
+  EXPECT_EQ(filter->match()->fault, weighs ? MatchFault::kSlides : MatchFault::kNone);
+  return distance(filter->estimate().T_map_base, truth);
+}
+
+TEST(EkfIcp, IsCorrectedByACloudWhereWallsAreThick) {
+  EXPECT_LT(errorBetweenThickWalls(true), 0.03);
+  EXPECT_GT(errorBetweenThickWalls(false), errorBetweenThickWalls(true));
 }
 
 TEST(EkfIcp, DoesNotBelieveAMatchFarFromWhereOdometrySays) {

@@ -81,11 +81,12 @@ TEST(ScanMatcherFaults, NoGuess) {
 
 TEST(ScanMatcherFaults, EachHasItsText) {
   std::set<std::string> texts;
-  for (const MatchFault fault : {MatchFault::kNone, MatchFault::kNoGuess, MatchFault::kFewHits,
-                                 MatchFault::kOutliers, MatchFault::kSingular, MatchFault::kJump}) {
+  for (const MatchFault fault :
+       {MatchFault::kNone, MatchFault::kNoGuess, MatchFault::kFewHits, MatchFault::kOutliers,
+        MatchFault::kSingular, MatchFault::kJump, MatchFault::kSlides}) {
     texts.insert(toText(fault));
   }
-  EXPECT_EQ(texts.size(), 6U);
+  EXPECT_EQ(texts.size(), 7U);
   EXPECT_EQ(texts.count("none"), 1U);
 }
 

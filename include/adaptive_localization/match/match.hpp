@@ -11,7 +11,7 @@
 namespace adaptive_localization {
 
 /// Why a match tells nothing. Not known from where to match: the guess is not finite, or none.
-enum class MatchFault { kNone, kNoGuess, kFewHits, kOutliers, kSingular, kJump };
+enum class MatchFault { kNone, kNoGuess, kFewHits, kOutliers, kSingular, kJump, kSlides };
 std::string toText(MatchFault fault);
 
 /// A scan aligned with the map: the pose, and what the scan tells of it. Each row h of H is a
