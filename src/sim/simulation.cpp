@@ -12,10 +12,6 @@ namespace {
 /// Streams of randomness, one per part, so that more people do not change the laser's noise.
 enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute };
 
-std::int64_t ticksPer(double rate) {
-  return std::max<std::int64_t>(1, std::llround(1.0 / rate / Simulation::kStep));
-}
-
 Pose2 parsePose(const std::string& text) {
   std::istringstream in(text);
   Pose2 pose;
@@ -38,6 +34,14 @@ Eigen::Vector2d place(const Pose2& pose) {
 }
 
 }  // namespace
+
+std::optional<double> Metronome::beat(double time) {
+  constexpr double kSlack = 1e-9;  // s, of sums of steps
+  if (next() > time + kSlack) return std::nullopt;
+  const double due = next() > time - kSlack ? time : next();
+  ++beats_;
+  return due;
+}
 
 SimulationOptions SimulationOptions::from(const Parameters& parameters) {
   SimulationOptions options;
@@ -64,7 +68,9 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       people_(free_space_, options.people, rng_.split(kWalks)),
       driver_(free_space_, site.route, options.route, rng_.split(kRoute)),
       start_(chooseStart(site, options.start)),
-      T_map_base_(start_) {}
+      T_map_base_(start_),
+      scans_(options.scan_rate),
+      readings_(options.odom_rate) {}
 
 Pose2 Simulation::chooseStart(const Site& site, const std::string& text) {
   if (text == "random" || (text.empty() && !site.start)) return randomPose();
@@ -94,8 +100,10 @@ Sensed Simulation::step() {
   ++ticks_;
 
   Sensed sensed;
-  if (ticks_ % ticksPer(options_.odom_rate) == 0) sensed.odometry = odometry();
-  if (ticks_ % ticksPer(options_.scan_rate) == 0) scan();
+  if (const auto due = readings_.beat(time())) {
+    sensed.odometry = {*due, odometry_.pose(*due - time()), odometry_.velocity()};
+  }
+  if (const auto due = scans_.beat(time())) scan(*due);
   if (!on_the_wire_.empty() && on_the_wire_.front().stamp <= time() + kStep / 2.0) {
     sensed.scan = std::move(on_the_wire_.front());
     on_the_wire_.pop_front();
@@ -130,12 +138,13 @@ void Simulation::move() {
   odometry_.step(velocity, kStep);
 }
 
-void Simulation::scan() {
+void Simulation::scan(double time) {
   const auto cast = [this](const Pose2& T_map_ray, double max_range) {
     return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
   };
-  LaserScan scan = laser_.scan(T_map_base_, cast, base_.velocity());
-  scan.stamp = time() + options_.laser.laser_latency;
+  const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
+  LaserScan scan = laser_.scan(T_map_base, cast, base_.velocity());
+  scan.stamp = time + options_.laser.laser_latency;
   on_the_wire_.push_back(std::move(scan));
 }
 

@@ -56,12 +56,13 @@ void WheelOdometry::step(const Velocity& velocity, double dt) {
   T_odom_base_ = T_odom_base_ * arc(measured_, dt);
 }
 
-Pose2 WheelOdometry::pose() const {
-  if (!options_.odom_whole_degrees) return T_odom_base_;
+Pose2 WheelOdometry::pose(double after) const {
+  const Pose2 T_odom_base = after == 0.0 ? T_odom_base_ : T_odom_base_ * arc(measured_, after);
+  if (!options_.odom_whole_degrees) return T_odom_base;
   const double degree = kPi / 180.0;
-  return {std::nearbyint(T_odom_base_.x * 1000.0) / 1000.0,
-          std::nearbyint(T_odom_base_.y * 1000.0) / 1000.0,
-          std::nearbyint(T_odom_base_.theta / degree) * degree};
+  return {std::nearbyint(T_odom_base.x * 1000.0) / 1000.0,
+          std::nearbyint(T_odom_base.y * 1000.0) / 1000.0,
+          std::nearbyint(T_odom_base.theta / degree) * degree};
 }
 
 }  // namespace adaptive_localization

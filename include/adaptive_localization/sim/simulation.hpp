@@ -66,8 +66,24 @@ struct Sensed {
   std::optional<OdometryReading> odometry;
 };
 
-/// A world with a robot in it, in steps of 10 ms of simulated time, which starts at 0. Everything
-/// random comes from the seed: same options and same commands, same bits.
+/// When something that comes at a rate is due: k / rate, k = 1, 2 and so on, s.
+class Metronome {
+ public:
+  explicit Metronome(double rate) : rate_(rate) {}
+
+  double next() const { return static_cast<double>(beats_ + 1) / rate_; }
+
+  /// The instant that is due at a time, once.
+  std::optional<double> beat(double time);
+
+ private:
+  double rate_;  // Hz
+  std::int64_t beats_{0};
+};
+
+/// A world with a robot in it, in steps of 10 ms of simulated time, which starts at 0. What comes
+/// between two steps is read off the arc that the robot drives. Everything random comes from the
+/// seed: same options and same commands, same bits.
 class Simulation {
  public:
   static constexpr double kStep = 0.01;  // s
@@ -103,7 +119,7 @@ class Simulation {
   void drive();
   void move();
   bool blocks(const Pose2& T_map_next) const;
-  void scan();
+  void scan(double time);
 
   SimulationOptions options_;
   std::shared_ptr<const World> world_;
@@ -118,6 +134,7 @@ class Simulation {
   Pose2 T_map_base_;
   std::int64_t ticks_{0};
   double commanded_at_{-1e9};
+  Metronome scans_, readings_;
   std::deque<LaserScan> on_the_wire_;  // scans taken but not yet delivered
 };
 

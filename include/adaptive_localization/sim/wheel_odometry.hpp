@@ -50,8 +50,9 @@ class WheelOdometry {
   /// The body really moved so for dt seconds.
   void step(const Velocity& velocity, double dt);
 
-  /// T_odom_base as the driver reports it; starts at the origin.
-  Pose2 pose() const;
+  /// T_odom_base as the driver reports it, some seconds after the last step or before; starts at
+  /// the origin.
+  Pose2 pose(double after = 0.0) const;
 
   /// The wheels' velocity in the last step as odometry takes it.
   const Velocity& velocity() const { return measured_; }
