@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
       std::cout << al::swarmFunctionsUsage();
       return 0;
     }
-    const auto cells = al::raceSwarms(command.seeds);
+    const auto cells = al::raceSwarms(command.seeds, command.first_seed);
     std::cout << al::toTable(cells);
     if (!command.plot_file.empty()) al::savePlot(cells, command.plot_file);
   } catch (const std::exception& error) {

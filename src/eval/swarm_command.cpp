@@ -21,43 +21,57 @@ void refuseMore(const std::vector<std::string>& arguments, std::size_t most) {
   throw std::invalid_argument("argument '" + arguments[most] + "' is one too many");
 }
 
+/// Takes `--first-seed N` out of the arguments; 1 where it is not there.
+int takeFirstSeed(std::vector<std::string>& arguments) {
+  const auto at = std::find(arguments.begin(), arguments.end(), "--first-seed");
+  if (at == arguments.end()) return 1;
+  if (at + 1 == arguments.end()) throw std::invalid_argument("--first-seed: its number is missing");
+  const int seed = toCount("--first-seed", *(at + 1), 1000000000);
+  arguments.erase(at, at + 2);
+  return seed;
+}
+
 }  // namespace
 
 std::string swarmFunctionsUsage() {
-  return "usage: swarm_functions [SEEDS [PLOT.png]]\n\n"
+  return "usage: swarm_functions [SEEDS [PLOT.png]] [--first-seed N]\n\n"
          "Prints how many iterations swarms of 20 to 1200 need to find the least value of\n"
          "Rastrigin, Ackley and Eggcrate to 0.01, plain and turned and shifted: the mean, a run "
          "that\n"
          "failed counting 500, and in how many runs they do.\n\n"
          "  SEEDS     runs of each swarm (default 50)\n"
          "  PLOT.png  draws the same\n"
+         "  N         the first of the seeds, which follow each other (default 1)\n"
          "  --help    print this\n";
 }
 
 std::string swarmFixesUsage() {
-  return "usage: swarm_fixes WORLD.yaml RESOLUTION [RUNS [torus]]\n\n"
+  return "usage: swarm_fixes WORLD.yaml RESOLUTION [RUNS [torus]] [--first-seed N]\n\n"
          "Compares swarms, and filters, that look for the place of one scan of 11 beams.\n\n"
          "  WORLD.yaml  a floor plan, as in maps/*/world.yaml\n"
          "  RESOLUTION  of its map, m\n"
          "  RUNS        places of each kind of search (default 30)\n"
          "  torus       searchers that leave at one end of the map come back at the other\n"
+         "  N           the first of the seeds, which follow each other (default 1)\n"
          "  --help      print this\n";
 }
 
-SwarmFunctionsCommand parseSwarmFunctions(const std::vector<std::string>& arguments) {
+SwarmFunctionsCommand parseSwarmFunctions(std::vector<std::string> arguments) {
   SwarmFunctionsCommand command;
   command.wants_help = asksForHelp(arguments);
   if (command.wants_help) return command;
+  command.first_seed = takeFirstSeed(arguments);
   refuseMore(arguments, 2);
   if (!arguments.empty()) command.seeds = toCount("SEEDS", arguments[0], kMostRuns);
   if (arguments.size() > 1) command.plot_file = arguments[1];
   return command;
 }
 
-SwarmFixesCommand parseSwarmFixes(const std::vector<std::string>& arguments) {
+SwarmFixesCommand parseSwarmFixes(std::vector<std::string> arguments) {
   SwarmFixesCommand command;
   command.wants_help = asksForHelp(arguments);
   if (command.wants_help) return command;
+  command.plan.first_seed = takeFirstSeed(arguments);
   refuseMore(arguments, 4);
   if (arguments.empty()) throw std::invalid_argument("WORLD.yaml is missing");
   if (arguments.size() < 2) throw std::invalid_argument("RESOLUTION is missing");

@@ -71,11 +71,12 @@ Outcome localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight) {
   return outcome;
 }
 
-/// Runs with the seeds 1, 2, ...
+/// Runs with one seed after the other.
 template <class Find>
-SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& find) {
+SwarmFixCell runAll(SwarmFixCell cell, int first_seed, const SwarmFixScene& scene,
+                    const Find& find) {
   std::vector<double> times, errors, matched;
-  for (int seed = 1; seed <= cell.runs; ++seed) {
+  for (int seed = first_seed; seed < first_seed + cell.runs; ++seed) {
     Sight sight(scene, seed);
     const Outcome outcome = find(sight, seed);
     const double error = distance(outcome.found, sight.truth);
@@ -93,6 +94,9 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
   cell.error_mm = mean(errors);
   cell.matched_mm = mean(matched);
   cell.matched_std_mm = deviation(matched);
+  if (!matched.empty()) {
+    cell.matched_ic99_mm = 2.58 * cell.matched_std_mm / std::sqrt(matched.size());
+  }
   cell.ms_median = quantile(times, 0.5);
   cell.ms_mean = mean(times);
   return cell;
@@ -102,8 +106,8 @@ SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixScene& scene, const Find& f
 std::string errorsOf(const SwarmFixCell& cell) {
   if (cell.found == 0) return "| |";
   char text[100];
-  std::snprintf(text, sizeof text, "| %.1f | %.1f ± %.1f", cell.error_mm, cell.matched_mm,
-                cell.matched_std_mm);
+  std::snprintf(text, sizeof text, "| %.1f | %.1f / %.1f / %.1f", cell.error_mm, cell.matched_mm,
+                cell.matched_ic99_mm, cell.matched_std_mm);
   return text;
 }
 
@@ -152,7 +156,7 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
     for (const SwarmRacer& racer : swarmRacers()) {
       for (const int count : plan.searchers) {
         const SwarmFixCell cell{start, racer.name, count, plan.runs};
-        cells.push_back(runAll(cell, scene, [&](Sight& sight, int) {
+        cells.push_back(runAll(cell, plan.first_seed, scene, [&](Sight& sight, int) {
           return searchWith(*racer.move, scene, sight, plan, cell);
         }));
       }
@@ -160,8 +164,9 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
   }
   for (const std::string& filter : plan.filters) {
     for (const int count : plan.searchers) {
-      cells.push_back(
-          runAll({"its own", filter, count, plan.runs}, scene, [&](Sight& sight, int seed) {
+      cells.push_back(runAll(
+          {"its own", filter, count, plan.runs}, plan.first_seed, scene,
+          [&](Sight& sight, int seed) {
             const auto context = scene.contextFor(filter, count, static_cast<std::uint64_t>(seed));
             return localizeWith(*builtins().filters.make(filter, context), scene, sight);
           }));
@@ -174,7 +179,7 @@ std::string toTable(const std::vector<SwarmFixCell>& cells) {
   std::string table =
       "| start | core | searchers | found, % | reached 3 %, % | iterations | error of those found, "
       "mm "
-      "| the same matched, mm | ms per fix: median | mean |\n"
+      "| the same matched, mm: mean / IC99 / sigma | ms per fix: median | mean |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const SwarmFixCell& cell : cells) table += rowOf(cell);
   return table + comparison(cells);

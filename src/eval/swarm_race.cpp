@@ -14,13 +14,13 @@ constexpr double kTolerance = 0.01;
 constexpr int kMaxIterations = 500;
 constexpr int kSearchers[] = {20, 50, 100, 300, 600, 1200};
 
-SwarmRaceCell race(const TestFunction& function, const SwarmRacer& racer, int searchers,
-                   int seeds) {
+SwarmRaceCell race(const TestFunction& function, const SwarmRacer& racer, int searchers, int seeds,
+                   int first_seed) {
   StopRule rule;
   rule.tolerance = kTolerance;
   rule.max_iterations = kMaxIterations;
   SwarmRaceCell cell{function.name(), racer.name, searchers, seeds};
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     Swarm swarm(function.space(), spreadOver(function.space(), searchers, rng), function);
     const SearchResult result = search(swarm, *racer.move, function, rule, rng);
@@ -46,14 +46,15 @@ std::vector<SwarmRacer> swarmRacers() {
           {"pso", std::make_shared<ParticleSwarmMove>()}};
 }
 
-std::vector<SwarmRaceCell> raceSwarms(int seeds) {
+std::vector<SwarmRaceCell> raceSwarms(int seeds, int first_seed) {
   std::vector<SwarmRaceCell> cells;
   const auto all = swarmRacers();
   std::vector<TestFunction> functions = testFunctions();
   for (const TestFunction& function : turnedTestFunctions()) functions.push_back(function);
   for (const TestFunction& function : functions) {
     for (const SwarmRacer& racer : all) {
-      for (const int count : kSearchers) cells.push_back(race(function, racer, count, seeds));
+      for (const int count : kSearchers)
+        cells.push_back(race(function, racer, count, seeds, first_seed));
     }
   }
   return cells;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "builtin_filters.hpp"
 
+#include <stdexcept>
+
+#include "adaptive_localization/map/segment_index.hpp"
+#include "adaptive_localization/match/line_map.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/kidnap_test.hpp"
 #include "elsewhere.hpp"
@@ -77,6 +81,19 @@ std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
   return std::make_unique<BatMove>(given.read<BatOptions>(), given.read<LeaderOptions>());
 }
 
+/// Over the walls of a plan where swarm_ranges says so, else nothing: over the map's cells.
+RayCast rayCastFor(const SwarmFixOptions& fixing, const MatchOptions& matching,
+                   const OccupancyGrid& map) {
+  if (fixing.swarm_ranges != "lines") return {};
+  if (matching.line_map.empty()) {
+    throw std::invalid_argument(
+        "option 'line_map': got '', expected a floor plan, as swarm_ranges is 'lines'");
+  }
+  const auto walls =
+      std::make_shared<const SegmentIndex>(loadLineMap(matching.line_map, map.lattice()));
+  return [walls](const Pose2& ray, double max_range) { return walls->range(ray, max_range); };
+}
+
 std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context) {
   const Parameters& given = context.parameters;
   const auto places = placesFor(context.ground, given);
@@ -86,10 +103,11 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   std::optional<LeaderOptions> leaders;
   if (rule == Rule::kLeaders) leaders = given.read<LeaderOptions>();
   const auto fixing = given.read<SwarmFixOptions>();
+  const auto matching = given.read<MatchOptions>();
   parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
                                              given.read<EnergyGridOptions>().energy_max_range,
-                                             context.ground.map, context.ground.field, places);
-  const auto matching = given.read<MatchOptions>();
+                                             context.ground.map, context.ground.field, places,
+                                             rayCastFor(fixing, matching, *context.ground.map));
   if (fixing.swarm_match) {
     parts.match =
         matchBy(makeScanMatcher(matching, *context.ground.map, context.ground.field->quality()));

@@ -22,14 +22,15 @@ SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptio
                        const std::optional<LeaderOptions>& leaders, double max_range,
                        std::shared_ptr<const OccupancyGrid> map,
                        std::shared_ptr<const DistanceField> distance_field,
-                       std::shared_ptr<Places> places)
+                       std::shared_ptr<Places> places, RayCast cast)
     : options_(options),
       objective_(objective),
       leaders_(leaders),
       max_range_(max_range),
       map_(std::move(map)),
       distance_field_(std::move(distance_field)),
-      places_(std::move(places)) {
+      places_(std::move(places)),
+      cast_(std::move(cast)) {
   const Lattice& lattice = map_->lattice();
   const double width = lattice.width() * lattice.resolution();
   const double height = lattice.height() * lattice.resolution();
@@ -54,14 +55,14 @@ SwarmPrice SwarmFixer::priceOf(bool is_cast) const {
 
 int SwarmFixer::affordable(int searchers) const {
   return static_cast<int>(
-      priceOf(options_.swarm_ranges == "cast").affordable(searchers, 1e6 * options_.swarm_budget));
+      priceOf(options_.swarm_ranges != "table").affordable(searchers, 1e6 * options_.swarm_budget));
 }
 
 double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observations) const {
   Eigen::ArrayXXd position(1, 3);
   position << T_map_base.x, T_map_base.y, T_map_base.theta;
   Eigen::ArrayXd cost(1);
-  CastObjective(objective_, observations.scan, max_range_, map_).evaluate(position, cost);
+  CastObjective(objective_, observations.scan, max_range_, map_, cast_).evaluate(position, cost);
   return cost[0];
 }
 
@@ -82,7 +83,7 @@ std::unique_ptr<RangeObjective> SwarmFixer::rangesOf(const Observations& observa
     }
     if (grid) return std::make_unique<TableObjective>(objective_, scan, rows_);
   }
-  return std::make_unique<CastObjective>(objective_, scan, max_range_, map_);
+  return std::make_unique<CastObjective>(objective_, scan, max_range_, map_, cast_);
 }
 
 StopRule SwarmFixer::stopRule() const {

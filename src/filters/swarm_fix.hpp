@@ -29,10 +29,9 @@ struct SwarmFixOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option(
-        "swarm_ranges", swarm_ranges, Choices{"table", "cast"},
-        "Where expected ranges come from: the energy grid's table, once it is made, or exact ray "
-        "casting.");
+    option("swarm_ranges", swarm_ranges, Choices{"table", "cast", "lines"},
+           "Where expected ranges come from: the energy grid's table, once it is made, exact ray "
+           "casting over the map's cells, or over the walls of line_map.");
     option("swarm_near", swarm_near, Choices{"hits", "ranges"},
            "What the swarm makes small near where odometry says the robot is: the mean distance of "
            "hits from the map's walls, or what it makes small everywhere.");
@@ -74,7 +73,8 @@ class SwarmFixer {
   SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptions& objective,
              const std::optional<LeaderOptions>& leaders, double max_range,
              std::shared_ptr<const OccupancyGrid> map,
-             std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places);
+             std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places,
+             RayCast cast = {});
 
   /// The best poses for a scan all over the map, from these on.
   SwarmFix fix(const Particles& start, const SwarmMove& move, const Observations& observations,
@@ -88,7 +88,7 @@ class SwarmFixer {
   /// So many of the searchers as the budget lets search where the option says ranges come from.
   int affordable(int searchers) const;
 
-  /// The cost of a pose, by ray casting.
+  /// The cost of a pose, by ray casting: over the map's cells, or as the constructor was told.
   double costOf(const Pose2& T_map_base, const Observations& observations) const;
 
   /// The largest cost there is.
@@ -110,6 +110,7 @@ class SwarmFixer {
   std::shared_ptr<Places> places_;
   std::shared_ptr<const EnergyGrid> grid_;
   std::shared_ptr<const RangeRows> rows_;  // of grid_
+  RayCast cast_;
   SearchSpace whole_;
 };
 

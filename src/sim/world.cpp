@@ -10,7 +10,7 @@
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/sim/segment_index.hpp"
+#include "adaptive_localization/map/segment_index.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/map/ray_caster.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -59,8 +60,14 @@ double RangeObjective::error(const Beam& beam, double expected) const {
 }
 
 CastObjective::CastObjective(const RangeObjectiveOptions& options, const Scan& scan,
-                             double max_range, std::shared_ptr<const OccupancyGrid> map)
-    : RangeObjective(options, scan, max_range), map_(map), ray_caster_(std::move(map)) {}
+                             double max_range, std::shared_ptr<const OccupancyGrid> map,
+                             RayCast cast)
+    : RangeObjective(options, scan, max_range), map_(std::move(map)), cast_(std::move(cast)) {
+  if (cast_) return;
+  cast_ = [caster = RayCaster(map_)](const Pose2& ray, double most) {
+    return caster.range(ray, most);
+  };
+}
 
 double CastObjective::costAt(const Pose2& T_map_base) const {
   const Eigen::Vector2d sensor = T_map_base * position_;
@@ -68,7 +75,7 @@ double CastObjective::costAt(const Pose2& T_map_base) const {
   double sum = 0.0;
   for (const Beam& beam : beams_) {
     const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(T_map_base.theta + beam.bearing)};
-    sum += error(beam, ray_caster_.range(ray, max_range_));
+    sum += error(beam, cast_(ray, max_range_));
   }
   return sum / static_cast<double>(beams_.size());
 }

@@ -43,6 +43,21 @@ TEST(SwarmCommand, ReadsWhatWasAskedFor) {
   EXPECT_FALSE(parseSwarmFixes({"world.yaml", "0.05", "3"}).plan.is_torus);
 }
 
+TEST(SwarmCommand, ReadsTheFirstSeedWhereverItStands) {
+  EXPECT_EQ(parseSwarmFunctions({"7"}).first_seed, 1);
+  EXPECT_EQ(parseSwarmFunctions({"--first-seed", "101", "7", "race.png"}).first_seed, 101);
+  EXPECT_EQ(parseSwarmFunctions({"--first-seed", "101", "7", "race.png"}).plot_file, "race.png");
+  const SwarmFixPlan plan = parseSwarmFixes({"w.yaml", "0.1", "--first-seed", "41", "9"}).plan;
+  EXPECT_EQ(plan.first_seed, 41);
+  EXPECT_EQ(plan.runs, 9);
+  EXPECT_EQ(parseSwarmFixes({"w.yaml", "0.1"}).plan.first_seed, 1);
+  for (const std::string text : {"abc", "0", "-3", "1.5", ""}) {
+    EXPECT_THAT(refusedFixes({"w.yaml", "0.1", "--first-seed", text}),
+                HasSubstr("--first-seed: got '" + text + "'"));
+  }
+  EXPECT_THAT(refusedFunctions({"7", "--first-seed"}), HasSubstr("--first-seed"));
+}
+
 TEST(SwarmCommand, HelpsWhereverItIsAsked) {
   EXPECT_TRUE(parseSwarmFunctions({"x", "--help"}).wants_help);
   EXPECT_TRUE(parseSwarmFixes({"-h"}).wants_help);

@@ -57,6 +57,15 @@ TEST(Builtins, MakeNoFilterOfAModelThatNobodyKnows) {
             "omni-corrected");
 }
 
+TEST(Builtins, NeedAPlanToCastRaysOverItsWalls) {
+  FilterContext given = context();
+  given.parameters.set("swarm_ranges", OptionValue(std::string("lines")));
+  for (const char* swarm : {"pso", "ba", "lbba"}) {
+    EXPECT_EQ(complaint([&] { builtins().filters.make(swarm, given); }),
+              "option 'line_map': got '', expected a floor plan, as swarm_ranges is 'lines'");
+  }
+}
+
 /// Sizes with which one update takes seconds would leave the robot without a pose.
 TEST(Builtins, RefuseSizesThatStallAndNameTheirPrice) {
   const auto make = [&](const std::string& name, int particles, int beams, const char* model) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "adaptive_localization/core/rng.hpp"
+#include "adaptive_localization/map/segment_index.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -54,6 +55,28 @@ TEST(RangeObjective, IsLeastWhereTheScanWasTaken) {
       EXPECT_GT(costAt(table, wrong), 0.08) << error;
     }
   }
+}
+
+/// A room of 4 m by 3 m, by its walls and by a map with cells of 0.1 m: the walls tell places apart
+/// that are of one cell.
+TEST(RangeObjective, RaysMayBeCastOverTheWallsOfAPlan) {
+  const auto map = toyWorld(Art(32, std::string(42, '.')), 0.1);
+  const SegmentIndex walls({{{0.0, 0.0}, {4.0, 0.0}},
+                            {{4.0, 0.0}, {4.0, 3.0}},
+                            {{4.0, 3.0}, {0.0, 3.0}},
+                            {{0.0, 3.0}, {0.0, 0.0}}});
+  const RayCast cast = [&](const Pose2& ray, double most) { return walls.range(ray, most); };
+  const Pose2 truth{1.234, 1.678, 0.4321};
+  std::vector<Eigen::Vector2d> hits;
+  for (int i = -90; i <= 90; i += 3) {
+    const double bearing = i * kPi / 180.0;
+    const double range = cast({truth.x, truth.y, truth.theta + bearing}, kMaxRange);
+    hits.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
+  }
+  const Scan scan = hitsAt(hits, kMaxRange).scan;
+  const CastObjective objective({}, scan, kMaxRange, map, cast);
+  EXPECT_LT(costAt(objective, truth), 1e-6);
+  EXPECT_NEAR(costAt(objective, truth * Pose2{0.003, 0.0, 0.0}), 0.003, 0.0015);
 }
 
 TEST(RangeObjective, TheTableSaysWhatRayCastingSays) {

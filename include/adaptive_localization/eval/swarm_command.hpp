@@ -11,6 +11,7 @@ namespace adaptive_localization {
 /// What the user asked `swarm_functions` for.
 struct SwarmFunctionsCommand {
   int seeds{50};
+  int first_seed{1};
   std::string plot_file;
   bool wants_help{false};
 };
@@ -26,7 +27,7 @@ std::string swarmFixesUsage();
 
 /// Read the arguments, the program's name not among them.
 /// Throw std::invalid_argument naming the argument, the value and what was expected.
-SwarmFunctionsCommand parseSwarmFunctions(const std::vector<std::string>& arguments);
-SwarmFixesCommand parseSwarmFixes(const std::vector<std::string>& arguments);
+SwarmFunctionsCommand parseSwarmFunctions(std::vector<std::string> arguments);
+SwarmFixesCommand parseSwarmFixes(std::vector<std::string> arguments);
 
 }  // namespace adaptive_localization

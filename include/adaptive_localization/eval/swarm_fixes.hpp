@@ -28,8 +28,9 @@ struct SwarmFixCell {
   int found{0};                   // within 0.15 m and 5 degrees
   std::vector<int> iterations{};  // of each run, by seed; of a filter: updates
   double error_mm{0.0};           // mean of those found
-  double matched_mm{0.0};      // mean of the same, once the scan is matched with the plan's walls
-  double matched_std_mm{0.0};  // standard deviation of these
+  double matched_mm{0.0};       // mean of the same, once the scan is matched with the plan's walls
+  double matched_std_mm{0.0};   // standard deviation of these
+  double matched_ic99_mm{0.0};  // half the 99 % interval of their mean, 2.58 sigma / sqrt(n)
   double ms_median{0.0}, ms_mean{0.0};  // of all runs
 
   double meanIterations() const;
@@ -39,6 +40,7 @@ struct SwarmFixPlan {
   std::string world;        // YAML file of a floor plan
   double resolution{0.05};  // m, of the map
   int runs{30};
+  int first_seed{1};
   std::vector<int> searchers{20, 400, 800, 1200, 1600, 2000};
   std::vector<std::string> starts{"free", "ser", "places"};  // as the option `elsewhere`
   std::vector<std::string> filters{"lbba", "ba", "pso", "amcl", "sa_kld"};

@@ -18,7 +18,7 @@ struct SwarmRaceCell {
 /// Experiment E7: who gets how fast to the least value of Rastrigin, Ackley and Eggcrate on a
 /// torus, to a hundredth, within 500 iterations, and then of the same three turned and shifted. All
 /// moves start from the same positions.
-std::vector<SwarmRaceCell> raceSwarms(int seeds);
+std::vector<SwarmRaceCell> raceSwarms(int seeds, int first_seed = 1);
 
 /// In Markdown: a row for each function and move, a column for each number of searchers.
 std::string toTable(const std::vector<SwarmRaceCell>& cells);

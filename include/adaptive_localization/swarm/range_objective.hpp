@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,7 +10,6 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
 #include "adaptive_localization/swarm/objective.hpp"
 
@@ -65,11 +65,15 @@ class RangeObjective : public Objective {
   std::vector<Beam> beams_;
 };
 
+/// The expected range of a ray in the map frame, m; max_range if it meets nothing before.
+using RayCast = std::function<double(const Pose2& T_map_ray, double max_range)>;
+
 /// Expected ranges by ray casting: exact, and slow.
 class CastObjective : public RangeObjective {
  public:
+  /// Rays are cast over the map's cells, or as is said.
   CastObjective(const RangeObjectiveOptions& options, const Scan& scan, double max_range,
-                std::shared_ptr<const OccupancyGrid> map);
+                std::shared_ptr<const OccupancyGrid> map, RayCast cast = {});
 
   void evaluate(const Eigen::ArrayXXd& positions, Eigen::Ref<Eigen::ArrayXd> costs) const override;
 
@@ -77,7 +81,7 @@ class CastObjective : public RangeObjective {
   double costAt(const Pose2& T_map_base) const;
 
   std::shared_ptr<const OccupancyGrid> map_;
-  RayCaster ray_caster_;
+  RayCast cast_;
 };
 
 /// Finds the ranges of the cell around a point.
