@@ -18,8 +18,16 @@ TEST(UsualError, FallsSlowlyAndRisesMoreSlowly) {
 }
 
 TEST(UsualError, LimitsWhatIsNotUnusual) {
-  EXPECT_DOUBLE_EQ(UsualError(0.2).limit(), 0.4);
+  EXPECT_DOUBLE_EQ(UsualError(0.12).limit(), 0.24);
   EXPECT_DOUBLE_EQ(UsualError(0.0).limit(), 0.1);  // a perfect map
+}
+
+/// Or a core that slid away slowly would never be doubted.
+TEST(UsualError, NoScanThatHardlyFitsIsUsual) {
+  UsualError usual(0.05);
+  for (int i = 0; i < 10000; ++i) usual.observe(0.45);
+  EXPECT_GT(usual.value(), 0.4);
+  EXPECT_DOUBLE_EQ(usual.limit(), 0.3);
 }
 
 }  // namespace adaptive_localization

@@ -21,10 +21,10 @@ class UsualError {
   double value() const { return value_; }  // m
 
   /// The largest error that is not unusual, m.
-  double limit() const { return std::max(kLeast, 2.0 * value_); }
+  double limit() const { return std::min(kMost, std::max(kLeast, 2.0 * value_)); }
 
  private:
-  static constexpr double kLeast = 0.1;  // m, whatever is usual
+  static constexpr double kLeast = 0.1, kMost = 0.3;  // m, whatever is usual
 
   double value_;
 };
