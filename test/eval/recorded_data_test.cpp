@@ -98,28 +98,61 @@ INSTANTIATE_TEST_SUITE_P(RecordedData, RecordedDrive,
 
 // Walls smeared over half a metre; with boxes that are not there, many a place looks a little more
 // like the scans than the true one does.
-const Drive kPoorMap{"wean",    "trace3.bag",           "wean.yaml", 0.0, 2e9,
-                     "--truth", "trace3_reference.tum", 0.35};
+const Drive kWean{"wean",    "trace3.bag",           "wean.yaml", 0.0, 2e9,
+                  "--truth", "trace3_reference.tum", 0.35};
+// Halls that are nearly point-symmetric, a laser that sees 5.6 m: without some walls, or with thick
+// ones, another place or one half a metre off fits scan after scan better.
+const Drive kBirmingham0{"p3dx_birmingham",
+                         "trace0_clean.bag",
+                         "newlowerground.yaml",
+                         0.0,
+                         2e9,
+                         "--truth",
+                         "trace0_reference.tum",
+                         0.12};
+const Drive kBirmingham1{"p3dx_birmingham",
+                         "trace1_clean.bag",
+                         "newlowerground.yaml",
+                         0.0,
+                         2e9,
+                         "--truth",
+                         "trace1_reference.tum",
+                         0.12};
 
-class PoorMap : public testing::TestWithParam<std::tuple<const char*, int>> {};
+struct Spoiled {
+  const Drive* drive;
+  const char* filter;
+  int seed;
+  const char* spoil;
+};
+
+void PrintTo(const Spoiled& spoiled, std::ostream* output) {
+  *output << spoiled.drive->log << ", " << spoiled.filter << ", seed " << spoiled.seed << ", "
+          << spoiled.spoil;
+}
+
+class PoorMap : public testing::TestWithParam<Spoiled> {};
 
 TEST_P(PoorMap, LosesNoRobot) {
-  const auto& [filter, seed] = GetParam();
-  if (isAbsent(dataFolder() + "/" + kPoorMap.folder)) GTEST_SKIP() << "no recorded data";
-  const nlohmann::json told = replayed(
-      kPoorMap, {"--filter", filter, "--seed", std::to_string(seed), "--spoil", "clutter:0.1"});
+  const auto& [drive, filter, seed, spoil] = GetParam();
+  if (isAbsent(dataFolder() + "/" + drive->folder)) GTEST_SKIP() << "no recorded data";
+  const nlohmann::json told =
+      replayed(*drive, {"--filter", filter, "--seed", std::to_string(seed), "--spoil", spoil});
   EXPECT_GT(told.at("scans"), 500);
   EXPECT_LT(told.at("ate_max_m"), 1.0) << told;
-  EXPECT_LT(told.at("ate_rmse_m"), kPoorMap.most_error) << told;
+  EXPECT_LT(told.at("ate_rmse_m"), drive->most_error) << told;
 }
 
 INSTANTIATE_TEST_SUITE_P(RecordedData, PoorMap,
-                         testing::Combine(testing::Values("sa_kld", "samcl"),
-                                          testing::Values(2, 4)),
-                         [](const auto& about) {
-                           return std::string(std::get<0>(about.param)) + "_" +
-                                  std::to_string(std::get<1>(about.param));
-                         });
+                         testing::Values(Spoiled{&kWean, "sa_kld", 2, "clutter:0.1"},
+                                         Spoiled{&kWean, "sa_kld", 4, "clutter:0.1"},
+                                         Spoiled{&kWean, "samcl", 2, "clutter:0.1"},
+                                         Spoiled{&kWean, "samcl", 4, "clutter:0.1"},
+                                         Spoiled{&kBirmingham0, "sa_kld", 2, "thick:0.2"},
+                                         Spoiled{&kBirmingham0, "sa_kld", 2, "gaps"},
+                                         Spoiled{&kBirmingham1, "sa_kld", 2, "gaps"},
+                                         Spoiled{&kBirmingham0, "ekf_icp", 2, "thick:0.1"},
+                                         Spoiled{&kBirmingham1, "ekf_icp", 2, "thick:0.3"}));
 
 // Twice the odometry says forward while the robot backs up by a metre, and walls are 0.1 m thicker
 // than they should be: no core keeps the place, but none may call a wrong one "tracking" for long.
