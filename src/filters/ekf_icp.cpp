@@ -75,7 +75,7 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   if (parts_.scans && match_->isGood()) match_->fault = MatchFault::kSlides;
   correct();
   way_ += std::max(distance({}, motion), std::abs(motion.theta));
-  if (parts_.scans && !anywhere_) weighCloud(observations);
+  if (match_->fault == MatchFault::kSlides) weighCloud(observations);
   if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
   return estimate();
 }

@@ -37,7 +37,7 @@ struct EkfOptions {
            "Particles drawn from the belief: to be seen, and to correct it where matches cannot.");
     option("ekf_weigh_cloud", ekf_weigh_cloud,
            "Where walls are so thick on the map that hits slide in them, weigh the cloud by the "
-           "scan and go on from its mean and covariance, whatever matches say.");
+           "scan and go on from its mean and covariance, if the match is not refused.");
   }
 };
 

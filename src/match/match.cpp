@@ -16,10 +16,14 @@ std::string toText(MatchFault fault) {
     case MatchFault::kJump:
       return "too far from where odometry says";
     case MatchFault::kSlides:
-      return "walls so thick that hits slide in them";
+      return "left to a cloud: walls so thick that hits slide in them";
     default:
       return "none";
   }
+}
+
+bool isRefusal(MatchFault fault) {
+  return fault != MatchFault::kNone && fault != MatchFault::kSlides;
 }
 
 Eigen::Matrix3d Match::information() const {

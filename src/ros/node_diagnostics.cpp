@@ -43,7 +43,7 @@ DiagnosticStatus scanStatus(const NodeHealth& health) {
 }
 
 DiagnosticStatus matchStatus(MatchFault fault) {
-  const bool fine = fault == MatchFault::kNone;
+  const bool fine = !isRefusal(fault);
   return makeStatus("Match", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
                     fine ? "OK" : "Refused: " + toText(fault));
 }

@@ -45,7 +45,7 @@ visualization_msgs::MarkerArray statusMarkers(const std_msgs::Header& header,
   array.markers.push_back(none);
   if (answer.status == Status::kUninitialised) return array;
   std::string status = toText(answer.status) + print(" %.2f", answer.confidence);
-  if (match && !match->isGood()) status += "\nnot matched: " + toText(match->fault);
+  if (match && isRefusal(match->fault)) status += "\nnot matched: " + toText(match->fault);
   array.markers.push_back(textAt(answer.T_map_base, status));
   const auto& modes = answer.modes;
   for (std::size_t i = 0; i < std::min(modes.size(), kMost); ++i) {

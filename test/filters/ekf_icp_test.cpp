@@ -28,8 +28,7 @@ Observations seenAt(const Pose2& pose) {
 }
 
 /// Beams that see somebody right before the robot.
-Observations crowdedAt(const Pose2& pose, double share) {
-  Observations seen = seenAt(pose);
+Observations crowded(Observations seen, double share) {
   Rng rng(9);
   for (Eigen::Index i = 0; i < seen.scan.x.size(); ++i) {
     if (rng.uniform() >= share) continue;
@@ -39,6 +38,10 @@ Observations crowdedAt(const Pose2& pose, double share) {
     seen.scan.range[i] *= nearer;
   }
   return seen;
+}
+
+Observations crowdedAt(const Pose2& pose, double share) {
+  return crowded(seenAt(pose), share);
 }
 
 const Pose2 kPlace{2.0, 3.0, -0.5};
@@ -101,6 +104,17 @@ double errorBetweenThickWalls(bool weighs) {
 TEST(EkfIcp, IsCorrectedByACloudWhereWallsAreThick) {
   EXPECT_LT(errorBetweenThickWalls(true), 0.03);
   EXPECT_GT(errorBetweenThickWalls(false), errorBetweenThickWalls(true));
+}
+
+TEST(EkfIcp, WeighsNoCloudByAScanThatIsRefused) {
+  FilterContext context{builtins(), roomWithWalls(0, 7)};
+  const auto filter = builtins().filters.make("ekf_icp", context);
+  const Pose2 place{1.5, 1.5, 0.3}, motion{0.2, 0.0, 0.1};
+  filter->reset(roughly(place));
+  const auto seen = ToyLaser{181, -kPi / 2, kPi / 2, 12.0}.observe(roomWithWalls(3, 4), place);
+  const Estimate estimate = filter->update(motion, crowded(seen, 1.0));
+  EXPECT_EQ(filter->match()->fault, MatchFault::kOutliers);
+  EXPECT_THAT(estimate.T_map_base, PoseNear(place * motion, 1e-9, 1e-9));
 }
 
 TEST(EkfIcp, DoesNotBelieveAMatchFarFromWhereOdometrySays) {

@@ -114,6 +114,7 @@ Parameters randomParameters(const Case& which, Rng& rng) {
   order(options, values);
   values.erase("preset");
   values["ekf_landmarks"] = std::string("hits");  // lines need a plan
+  if (values.count("swarm_ranges")) values["swarm_ranges"] = std::string("cast");
   for (const auto& [key, value] : values) parameters.set(key, value);
   return parameters;
 }

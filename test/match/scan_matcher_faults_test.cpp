@@ -85,6 +85,7 @@ TEST(ScanMatcherFaults, EachHasItsText) {
        {MatchFault::kNone, MatchFault::kNoGuess, MatchFault::kFewHits, MatchFault::kOutliers,
         MatchFault::kSingular, MatchFault::kJump, MatchFault::kSlides}) {
     texts.insert(toText(fault));
+    EXPECT_EQ(isRefusal(fault), fault != MatchFault::kNone && fault != MatchFault::kSlides);
   }
   EXPECT_EQ(texts.size(), 7U);
   EXPECT_EQ(texts.count("none"), 1U);

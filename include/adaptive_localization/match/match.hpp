@@ -11,8 +11,10 @@
 namespace adaptive_localization {
 
 /// Why a match tells nothing. Not known from where to match: the guess is not finite, or none.
+/// Where walls are so thick that hits slide in them, a cloud tells instead: no refusal.
 enum class MatchFault { kNone, kNoGuess, kFewHits, kOutliers, kSingular, kJump, kSlides };
 std::string toText(MatchFault fault);
+bool isRefusal(MatchFault fault);
 
 /// A scan aligned with the map: the pose, and what the scan tells of it. Each row h of H is a
 /// direction over (x, y, theta) of which it tells something: h . (pose - true pose) + rest has that
