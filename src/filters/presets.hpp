@@ -14,18 +14,23 @@ using Preset = std::map<std::string, OptionValue>;
 /// The first one's values where both have one.
 Preset operator+(Preset first, const Preset& second);
 
-/// What the source of mcl, kld, samcl and sa_kld used on its Pioneer 3-DX: constant motion noise,
-/// 30 beams up to 10 m and ray casting, an update per odometry step.
+/// What A. W. Li used on his Pioneer 3-DX for mcl, kld, samcl and sa_kld (Algoritmo Híbrido
+/// Auto-adaptativo para Localização em Robótica Móvel, MSc dissertation, UNIFEI, Itajubá 2016):
+/// constant motion noise, 30 beams up to 10 m and ray casting, an update per odometry step. Unlike
+/// there, expected ranges are without noise, resampling is systematic, not by a wheel that is
+/// turned anew for each particle, and headings are averaged on the circle: the text errs there.
 Preset sourceOfAll();
 
-/// Its KLD-sampling: bins of two cells of 0.15 m in x and y only.
+/// Its KLD-sampling (Fox 2001): bins of two cells of 0.15 m in x and y only.
 Preset sourceOfKld();
 
-/// Its test for kidnapping: the largest unnormalised weight 1 / sum_i |z_i* - z_i| is below 0.045
-/// with 30 beams, and 70 % stay.
+/// Its test for kidnapping (SAMCL after Zhang, Zapata, Lepinay 2009): the largest unnormalised
+/// weight 1 / sum_i |z_i* - z_i| is below 0.045 with 30 beams, and 70 % stay.
 Preset sourceOfSamcl();
 
-/// The source of ekf_icp: point-to-point ICP, all that is within a metre, no doubts.
+/// The source of ekf_icp (J. Lopes, A. Meneses, G. Carvalho, S. Taboada, Localização Indoor baseada
+/// no Laser Range Finder usando o Extended Kalman Filter, IST Lisbon): point-to-point ICP, all that
+/// is within a metre, no doubts.
 Preset sourceOfEkfIcp();
 
 /// amcl as it is shipped.

@@ -57,7 +57,7 @@ void SwarmFilter::reset(const Prior& prior) {
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
-    drawElsewhere(0.0);
+    drawElsewhere();
     estimate_ = summarize(bats_, normalisedWeights(bats_.log_weight));
   }
   trackHeaviest(estimate_);

@@ -73,14 +73,14 @@ class SwarmFilter : public Filter {
 
  private:
   Eigen::Matrix3d cloudCovariance(double xy, double theta) const;
-  void drawElsewhere(double share_here);
+  void drawElsewhere();
   void trackHeaviest(const Estimate& estimate);
   void ride(const Pose2& motion, const Observations& observations);
   bool isFixDue(const Observations& observations) const;
   void align(const Observations& observations, SwarmFix& fix) const;
   SwarmFix lookHere(const Observations& observations);
   void fixHere(const Observations& observations);
-  SwarmFix lookElsewhere(double share_here, const Observations& observations);
+  SwarmFix lookElsewhere(const Observations& observations);
   void fixAnywhere(const Observations& observations);
   bool isSpreadDue(double cost);
   void spread(const Observations& observations);

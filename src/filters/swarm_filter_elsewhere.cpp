@@ -8,29 +8,21 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kSlipXy = 0.5, kSlipTheta = 0.3;  // m, rad: and here, when others look elsewhere
-constexpr double kShareHere = 0.2;                 // of the bats, then
-constexpr int kScansPerSpread = 3;                 // while nothing is found elsewhere
+constexpr int kScansPerSpread = 3;  // while nothing is found elsewhere
 constexpr int kScansPerLaterSpread = 10;
 
 }  // namespace
 
-/// A share of the bats stays about where the robot should be.
-void SwarmFilter::drawElsewhere(double share_here) {
-  const auto here = static_cast<Eigen::Index>(share_here * options_.swarm_size);
-  const Gaussian2 near{estimate_.T_map_base, cloudCovariance(kSlipXy, kSlipTheta)};
-  const Particles cloud = drawCloud(near, here, rng_);
+void SwarmFilter::drawElsewhere() {
   Particles all(options_.swarm_size);
-  for (Eigen::Index i = 0; i < all.size(); ++i) {
-    all.setPose(i, i < here ? cloud.pose(i) : parts_.elsewhere->draw(rng_));
-  }
+  for (Eigen::Index i = 0; i < all.size(); ++i) all.setPose(i, parts_.elsewhere->draw(rng_));
   bats_ = std::move(all);
 }
 
 /// What the tracker knew is of another place.
-SwarmFix SwarmFilter::lookElsewhere(double share_here, const Observations& observations) {
+SwarmFix SwarmFilter::lookElsewhere(const Observations& observations) {
   parts_.elsewhere->condition(observations);
-  drawElsewhere(share_here);
+  drawElsewhere();
   SwarmFix fix = parts_.fixer->fix(bats_, *parts_.move, observations, rng_);
   trackHeaviest(fix.estimate);
   align(observations, fix);
@@ -38,7 +30,7 @@ SwarmFix SwarmFilter::lookElsewhere(double share_here, const Observations& obser
 }
 
 void SwarmFilter::fixAnywhere(const Observations& observations) {
-  const SwarmFix fix = lookElsewhere(0.0, observations);
+  const SwarmFix fix = lookElsewhere(observations);
   take(fix, false);
   anywhere_ = fix.cost > options_.swarm_explained;
 }
@@ -52,7 +44,7 @@ bool SwarmFilter::isSpreadDue(double cost) {
 }
 
 void SwarmFilter::spread(const Observations& observations) {
-  take(lookElsewhere(kShareHere, observations), false);
+  take(lookElsewhere(observations), false);
 }
 
 }  // namespace adaptive_localization

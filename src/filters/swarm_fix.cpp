@@ -26,7 +26,8 @@ SwarmFixer::SwarmFixer(const SwarmFixOptions& options, const RangeObjectiveOptio
     : options_(options),
       objective_(objective),
       leaders_(leaders),
-      max_range_(max_range),
+      max_range_(options.swarm_ranges == "table" ? max_range
+                                                 : std::numeric_limits<double>::infinity()),
       map_(std::move(map)),
       distance_field_(std::move(distance_field)),
       places_(std::move(places)),
@@ -125,6 +126,14 @@ SwarmFix SwarmFixer::fixNear(const Gaussian2& odometry, const Particles& start,
   return fix;
 }
 
+Estimate SwarmFixer::answerOf(const Swarm& swarm, const Particles& bats) const {
+  Estimate answer = estimateOf(bats);
+  if (options_.swarm_answer == "place") return answer;
+  answer.T_map_base = {swarm.best[0], swarm.best[1], wrapAngle(swarm.best[2])};
+  answer.modes.front().T_map_base = answer.T_map_base;
+  return answer;
+}
+
 SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Eigen::ArrayXXd& start,
                               const SwarmMove& move, const Objective& objective, StopRule rule,
                               Rng& rng) const {
@@ -136,7 +145,7 @@ SwarmFix SwarmFixer::searchIn(const SearchSpace& space, const Eigen::ArrayXXd& s
   fix.iterations = search(swarm, move, objective, rule, rng).iterations;
   stepBackToBest(swarm);
   fix.bats = particlesOf(swarm);
-  fix.estimate = estimateOf(fix.bats);
+  fix.estimate = answerOf(swarm, fix.bats);
   if (leaders_) fix.leaders = leadersOf(swarm, fix.bats, *leaders_);
   return fix;
 }

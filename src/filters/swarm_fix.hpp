@@ -20,6 +20,7 @@ namespace adaptive_localization {
 struct SwarmFixOptions {
   std::string swarm_ranges{"table"};
   std::string swarm_near{"hits"};
+  std::string swarm_answer{"place"};
   bool swarm_match{true};
   double swarm_tolerance{0.0};
   int swarm_max_iterations{60};
@@ -31,10 +32,14 @@ struct SwarmFixOptions {
   void visit(Visitor&& option) {
     option("swarm_ranges", swarm_ranges, Choices{"table", "cast", "lines"},
            "Where expected ranges come from: the energy grid's table, once it is made, exact ray "
-           "casting over the map's cells, or over the walls of line_map.");
+           "casting over the map's cells, or over the walls of line_map. Casting knows no other "
+           "limit than the laser's range.");
     option("swarm_near", swarm_near, Choices{"hits", "ranges"},
            "What the swarm makes small near where odometry says the robot is: the mean distance of "
            "hits from the map's walls, or what it makes small everywhere.");
+    option("swarm_answer", swarm_answer, Choices{"place", "best"},
+           "What a search answers: the mean of the likeliest place's searchers, or the best pose "
+           "that any of them found.");
     option("swarm_match", swarm_match,
            "Align the scan with the map from the best place on; otherwise the swarm's spread tells "
            "how sure a place is.");
@@ -95,6 +100,7 @@ class SwarmFixer {
   double worst() const;
 
  private:
+  Estimate answerOf(const Swarm& swarm, const Particles& bats) const;
   std::unique_ptr<RangeObjective> rangesOf(const Observations& observations);
   SwarmPrice priceOf(bool is_cast) const;
   SwarmFix searchIn(const SearchSpace& space, const Eigen::ArrayXXd& start, const SwarmMove& move,

@@ -5,15 +5,18 @@
 
 namespace adaptive_localization {
 
-/// What the source of the leader-based bat algorithm did with every swarm: 2000 searchers, 11
-/// beams, the mean relative deviation, spread over the whole map, until 3 per cent or for 500
-/// iterations; a fix is for good until odometry has drifted away from it.
+/// What W. Araujo Neto did with every swarm (Localização de Robôs Móveis Utilizando o Novo
+/// Algoritmo de Morcegos Baseado em Líderes, doctoral thesis, UFJF, Juiz de Fora 2019): 2000
+/// searchers, 11 beams as far as the laser sees, the mean relative deviation, spread over the whole
+/// map, a torus, until 3 per cent or for 500 iterations; the answer is the best pose x*. A fix is
+/// for good until odometry has drifted away from it. Where the thesis is ambiguous: its objective
+/// is signed and not summed up, ours is the mean of min(1, |z* - z| / z).
 Preset sourceOfSwarms();
 
-/// Its bats: as printed, but for the sign.
+/// Its bats (X.-S. Yang 2010): as printed, but for the sign, with which they flee the best one.
 Preset sourceOfBats();
 
-/// Its leaders: one for 300 bats.
+/// Its leaders: one for 300 bats; walks are about the best of all, as its listing has them.
 Preset sourceOfLeaders();
 
 }  // namespace adaptive_localization
