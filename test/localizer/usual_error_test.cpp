@@ -28,6 +28,9 @@ TEST(UsualError, NoScanThatHardlyFitsIsUsual) {
   for (int i = 0; i < 10000; ++i) usual.observe(0.45);
   EXPECT_GT(usual.value(), 0.4);
   EXPECT_DOUBLE_EQ(usual.limit(), 0.3);
+  UsualError thick(0.2);  // on a map of thick walls most scans fit so
+  for (int i = 0; i < 10000; ++i) thick.observe(0.45);
+  EXPECT_DOUBLE_EQ(thick.limit(), 0.6);
 }
 
 }  // namespace adaptive_localization

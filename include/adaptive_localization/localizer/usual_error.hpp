@@ -11,7 +11,7 @@ namespace adaptive_localization {
 class UsualError {
  public:
   /// Starts from what the map lets expect, m: MapQuality::rangeError().
-  explicit UsualError(double value = 0.05) : value_(value) {}
+  explicit UsualError(double value = 0.05) : value_(value), most_(std::max(kMost, 3.0 * value)) {}
 
   void observe(double error) {
     value_ +=
@@ -21,12 +21,13 @@ class UsualError {
   double value() const { return value_; }  // m
 
   /// The largest error that is not unusual, m.
-  double limit() const { return std::min(kMost, std::max(kLeast, 2.0 * value_)); }
+  double limit() const { return std::min(most_, std::max(kLeast, 2.0 * value_)); }
 
  private:
   static constexpr double kLeast = 0.1, kMost = 0.3;  // m, whatever is usual
 
   double value_;
+  double most_;  // m, three times what the map lets expect, where that is more than kMost
 };
 
 }  // namespace adaptive_localization
