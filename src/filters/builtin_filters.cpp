@@ -8,6 +8,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/kidnap_test.hpp"
 #include "elsewhere.hpp"
+#include "grid_filters.hpp"
 #include "kalman_filters.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
@@ -177,6 +178,7 @@ std::vector<FilterDescription> builtinFilters() {
                                 Rule::kLeaders, recovery,
                                 sourceOfLeaders() + sourceOfBats() + sourceOfSwarms()));
   filters.push_back(ekfIcp());
+  filters.push_back(markov());
   return filters;
 }
 

@@ -52,6 +52,14 @@ Preset sourceOfEkfIcp() {
           {"update_min_a", 0.0}};
 }
 
+Preset sourceOfMarkov() {
+  return {{"markov_cell", 0.15},
+          {"markov_headings", 180},
+          {"laser_max_beams", 30},
+          {"update_min_d", 0.0},
+          {"update_min_a", 0.0}};
+}
+
 Preset stockAmcl() {
   return {{"odom_alpha1", 0.2},
           {"odom_alpha2", 0.2},

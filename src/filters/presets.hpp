@@ -33,6 +33,12 @@ Preset sourceOfSamcl();
 /// is within a metre, no doubts.
 Preset sourceOfEkfIcp();
 
+/// Grid cells of D. Fox, W. Burgard, S. Thrun (Markov Localization for Mobile Robots in Dynamic
+/// Environments, JAIR 11, 1999): 15 cm and 2 degrees, an update per scan. Unlike there, scans are
+/// weighed by the likelihood field instead of tabulated beams, and cells that hold next to nothing
+/// are left out for good, unless markov_anywhere keeps them.
+Preset sourceOfMarkov();
+
 /// amcl as it is shipped.
 Preset stockAmcl();
 

@@ -33,7 +33,10 @@ const std::map<std::string, double> kSizes{{"min_particles", 50},
                                            {"match_max_iterations", 100},
                                            {"search_max_places", 20},
                                            {"search_max_visits", kMostVisits},
+                                           {"markov_headings", 72},
+                                           {"markov_cloud", kMostParticles},
                                            {"threads", 1}};
+const std::map<std::string, double> kLeast{{"markov_cell", 0.2}, {"markov_max_memory", 1000.0}};
 
 std::shared_ptr<const OccupancyGrid> smallWorld() {
   static const auto map = toyWorld({"####################",  //
@@ -64,6 +67,7 @@ std::optional<OptionValue> randomValue(const OptionDescription& option, Rng& rng
   Range range = option.range;
   const auto size = kSizes.find(option.key);
   if (size != kSizes.end()) range.high = std::min(range.high, size->second);
+  if (const auto least = kLeast.find(option.key); least != kLeast.end()) range.low = least->second;
   if (std::holds_alternative<bool>(option.value)) return rng.uniform() < 0.5;
   if (std::holds_alternative<double>(option.value)) return numberIn(range, rng);
   if (std::holds_alternative<int>(option.value)) {
@@ -108,7 +112,7 @@ Parameters randomParameters(const Case& which, Rng& rng) {
   Values values;
   for (std::size_t i = 0; i < options.size(); ++i) {
     const bool is_changed = single < options.size() ? i == single : rng.uniform() < 0.33;
-    if (!is_changed && !kSizes.count(options[i].key)) continue;
+    if (!is_changed && !kSizes.count(options[i].key) && !kLeast.count(options[i].key)) continue;
     if (const auto value = randomValue(options[i], rng)) values[options[i].key] = *value;
   }
   order(options, values);

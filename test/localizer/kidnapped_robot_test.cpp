@@ -14,8 +14,8 @@ namespace {
 const Pose2 kHere{1.2, 1.1, 0.3};
 const Pose2 kThere{8.2, 3.9, 2.5};
 
-const std::vector<std::string> kCoresThatRecover{"amcl", "samcl", "sa_kld", "pso",
-                                                 "ba",   "lbba",  "ekf_icp"};
+const std::vector<std::string> kCoresThatRecover{"amcl", "samcl", "sa_kld",  "pso",
+                                                 "ba",   "lbba",  "ekf_icp", "markov"};
 
 class KidnappedRobot : public testing::Test {
  protected:
