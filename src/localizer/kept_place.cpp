@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMostBeams = 0.6, kMostHits = 0.9;           // of a scan that fits
 constexpr double kThrough = 0.05;                             // of the beams, beyond a wall
+constexpr double kNearlyAll = 0.95, kOn = 0.1;                // of the hits; m, from a wall
 constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
 
 }  // namespace
@@ -20,7 +21,8 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const bool most_fits = fit.off_share < 1.0 - kMostBeams ||
                          refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
   if (!most_fits) return std::numeric_limits<double>::infinity();
-  if (fit.off_share - fit.short_share < kThrough) return kHidden;
+  const bool is_hidden = fit.off_share - fit.short_share < kThrough;
+  if (is_hidden || refiner.hitShare(T_map_base, kOn) > kNearlyAll) return kHidden;
   return is_word ? kTold : kTracked;
 }
 

@@ -119,6 +119,10 @@ const Drive kBirmingham1{"p3dx_birmingham",
                          "trace1_reference.tum",
                          0.12};
 
+// A long corridor: a box on the map that is not there any more, and many a place fits better.
+const Drive kAces{"aces",      "aces.bag",      "map_w2.yaml",     2141.730099,
+                  2223.180100, "--truth-topic", "/reference_pose", 0.06};
+
 struct Spoiled {
   const Drive* drive;
   const char* filter;
@@ -136,8 +140,8 @@ class PoorMap : public testing::TestWithParam<Spoiled> {};
 TEST_P(PoorMap, LosesNoRobot) {
   const auto& [drive, filter, seed, spoil] = GetParam();
   if (isAbsent(dataFolder() + "/" + drive->folder)) GTEST_SKIP() << "no recorded data";
-  const nlohmann::json told =
-      replayed(*drive, {"--filter", filter, "--seed", std::to_string(seed), "--spoil", spoil});
+  const nlohmann::json told = replayed(*drive, {"--filter", filter, "--seed", std::to_string(seed),
+                                                "--spoil", spoil, "--allow-misfit"});
   EXPECT_GT(told.at("scans"), 500);
   EXPECT_LT(told.at("ate_max_m"), 1.0) << told;
   EXPECT_LT(told.at("ate_rmse_m"), drive->most_error) << told;
@@ -152,6 +156,7 @@ INSTANTIATE_TEST_SUITE_P(RecordedData, PoorMap,
                                          Spoiled{&kBirmingham0, "sa_kld", 2, "thick:0.2"},
                                          Spoiled{&kBirmingham0, "sa_kld", 2, "gaps"},
                                          Spoiled{&kBirmingham1, "sa_kld", 2, "gaps"},
+                                         Spoiled{&kAces, "ekf_icp", 1, "clutter"},
                                          Spoiled{&kBirmingham0, "ekf_icp", 2, "thick:0.1"},
                                          Spoiled{&kBirmingham1, "ekf_icp", 2, "thick:0.3"}));
 

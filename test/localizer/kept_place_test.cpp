@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/localizer/kept_place.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/toy_world.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+const Pose2 kPlace{1.5, 2.0, 0.0};
+const Art kBare{"################",  //
+                "#..............#",  //
+                "#..............#",  //
+                "#..............#",  //
+                "#..............#",  //
+                "#..............#",  //
+                "#..............#",  //
+                "################"};
+const Art kWithBox{"################",  //
+                   "#..............#",  //
+                   "#.......##.....#",  //
+                   "#.......##.....#",  //
+                   "#.......##.....#",  //
+                   "#.......##.....#",  //
+                   "#..............#",  //
+                   "################"};
+const Art kShorter{"################",  //
+                   "#.........######",  //
+                   "#.........######",  //
+                   "#.........######",  //
+                   "#.........######",  //
+                   "#.........######",  //
+                   "#.........######",  //
+                   "################"};
+
+std::shared_ptr<const OccupancyGrid> world(const Art& art) {
+  return hollow(*toyWorld(art, 0.05, {}, 10));
+}
+
+/// Against the place, on one map, by a scan of another world.
+double against(const Art& on_map, const Art& in_world, bool is_word = false) {
+  const auto map = world(on_map);
+  const DistanceField field(*map);
+  const Scan scan = ToyLaser{181, -kPi / 2, kPi / 2, 12.0}.observe(world(in_world), kPlace).scan;
+  const PlaceRefiner refiner(map, field, scan, scan.max_range, RangeError::kTruncation);
+  return mostAgainst(refiner, kPlace, is_word, 0.05);
+}
+
+TEST(KeptPlace, LosesLittleByWhatWasBroughtThere) {
+  EXPECT_DOUBLE_EQ(against(kBare, kWithBox), 0.2);
+}
+
+TEST(KeptPlace, LosesLittleByWhatWasTakenAway) {
+  EXPECT_DOUBLE_EQ(against(kWithBox, kBare), 0.2);
+  EXPECT_DOUBLE_EQ(against(kWithBox, kBare, true), 0.2);
+}
+
+TEST(KeptPlace, LosesMoreWhereBeamsGoOnToWhereNothingIs) {
+  EXPECT_DOUBLE_EQ(against(kShorter, kBare), 1.5);
+  EXPECT_DOUBLE_EQ(against(kShorter, kBare, true), 2.0);
+}
+
+TEST(KeptPlace, IsLostWhereLittleFits) {
+  const Art tiny{"######", "#....#", "#....#", "#....#", "#....#", "#....#", "#....#", "######"};
+  EXPECT_TRUE(std::isinf(against(tiny, kBare)));
+}
+
+}  // namespace
+}  // namespace adaptive_localization
