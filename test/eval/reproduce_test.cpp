@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// scripts/reproduce, as somebody uses it who wants to see a table of the literature again.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "support/program.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+ProgramResult reproduce(const std::vector<std::string>& arguments) {
+  setenv("EXPERIMENTS", EXPERIMENTS, 1);
+  return runProgram(SOURCE_DIR "/scripts/reproduce", arguments);
+}
+
+TEST(Reproduce, TellsWhatIsPrintedAndWhatBothPresetsDo) {
+  const TempFolder folder;
+  const std::vector<std::string> arguments{"E17", "--seeds", "2", "--out", folder.file("results")};
+  const ProgramResult first = reproduce(arguments);
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  const std::regex row(R"(\| ekf_icp, building, share \| 1 \| ([0-9.]+) \([^|]*n = 2\) )"
+                       R"(\| 1 \([^|]*n = 2\) \| (as printed|better|worse); better \|)");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(first.output, found, row)) << first.output;
+  EXPECT_LE(std::stod(found[1]), 1.0);
+
+  const std::string results = readWhole(folder.file("results/ekf_wrong_start.jsonl"));
+  EXPECT_EQ(reproduce(arguments).output, first.output);
+  EXPECT_EQ(readWhole(folder.file("results/ekf_wrong_start.jsonl")), results);  // nothing again
+}
+
+TEST(Reproduce, NamesWhatItKnows) {
+  const ProgramResult unknown = reproduce({"E99"});
+  EXPECT_NE(unknown.exit_code, 0);
+  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("'E99'"), HasSubstr("E3 E4 E5 E14 E15 E17")));
+  const ProgramResult list = reproduce({"--list"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_THAT(list.output, AllOf(HasSubstr("E4 "), HasSubstr("(Li 2016, T5)")));
+}
+
+/// Every table has its place on the page.
+TEST(Reproduce, HasAPageForItsTables) {
+  const std::string page = readWhole(SOURCE_DIR "/doc/sources.md");
+  const std::string list = reproduce({"--list"}).output;
+  const std::regex name("(^|\n)(E[0-9]+)");
+  int count = 0;
+  for (std::sregex_iterator at(list.begin(), list.end(), name), end; at != end; ++at, ++count) {
+    EXPECT_THAT(page, HasSubstr("<!-- " + (*at)[2].str() + " -->\n"));
+    EXPECT_THAT(page, HasSubstr("<!-- end of " + (*at)[2].str() + " -->\n"));
+  }
+  EXPECT_EQ(count, 6);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
