@@ -40,8 +40,8 @@ PoseHistogram::PoseHistogram(std::shared_ptr<const OccupancyGrid> map, double ce
       turn_(2.0 * kPi / headings),
       width_(cellsOf(knownPart(*map_), cell).x()),
       height_(cellsOf(knownPart(*map_), cell).y()),
-      layers_(headings) {
-  mass_.resize(static_cast<std::size_t>(width_) * height_ * headings);
+      layers_(static_cast<std::size_t>(headings)),
+      mass_(cellsInLayer() * layers_.size()) {
   spread();
 }
 
@@ -54,7 +54,7 @@ double PoseHistogram::headingOf(int layer) const {
 }
 
 Eigen::Vector2d PoseHistogram::centre(int layer, int row, int column) const {
-  return corner_ + cell_ * Eigen::Vector2d(column + 0.5, row + 0.5) + layers_[layer].offset;
+  return corner_ + cell_ * Eigen::Vector2d(column + 0.5, row + 0.5) + layerAt(layer).offset;
 }
 
 bool PoseHistogram::isFree(int layer, int row, int column) const {
@@ -78,7 +78,7 @@ void PoseHistogram::clear(const Pose2& T_lattice_centre) {
 
 void PoseHistogram::spread() {
   clear({corner_.x() + 0.5 * cell_, corner_.y() + 0.5 * cell_, 0.0});
-  std::vector<float> free(static_cast<std::size_t>(width_) * height_);
+  std::vector<float> free(cellsInLayer());
   for (int row = 0; row < height_; ++row) {
     for (int column = 0; column < width_; ++column) {
       free[at(0, row, column)] = isFree(0, row, column) ? 1.0F : 0.0F;
@@ -86,22 +86,21 @@ void PoseHistogram::spread() {
   }
   if (*std::max_element(free.begin(), free.end()) == 0.0F)
     std::fill(free.begin(), free.end(), 1.0F);
-  for (int layer = 0; layer < layers(); ++layer) {
-    std::copy(free.begin(), free.end(), mass_.begin() + static_cast<long>(at(layer, 0, 0)));
-    layers_[layer].is_empty = false;
+  for (int k = 0; k < layers(); ++k) {
+    std::copy(free.begin(), free.end(), mass_.begin() + static_cast<long>(at(k, 0, 0)));
+    layerAt(k).is_empty = false;
   }
 }
 
 void PoseHistogram::add(const Pose2& T_lattice_base, double mass) {
   const int turns = static_cast<int>(std::lround((T_lattice_base.theta - turned_) / turn_));
-  const int layer = ((turns - first_) % layers() + layers()) % layers();
+  const int k = ((turns - first_) % layers() + layers()) % layers();
   const Eigen::Vector2d place =
-      (Eigen::Vector2d(T_lattice_base.x, T_lattice_base.y) - corner_ - layers_[layer].offset) /
-      cell_;
+      (Eigen::Vector2d(T_lattice_base.x, T_lattice_base.y) - corner_ - layerAt(k).offset) / cell_;
   if (!(place.minCoeff() >= 0.0) || place.x() >= width_ || place.y() >= height_) return;
-  mass_[at(layer, static_cast<int>(place.y()), static_cast<int>(place.x()))] +=
+  mass_[at(k, static_cast<int>(place.y()), static_cast<int>(place.x()))] +=
       static_cast<float>(mass);
-  layers_[layer].is_empty = false;
+  layerAt(k).is_empty = false;
 }
 
 void PoseHistogram::set(const Gaussian2& gaussian) {
@@ -169,11 +168,11 @@ std::vector<std::uint32_t> PoseHistogram::cellsAbove(double share) const {
   const float most = *std::max_element(mass_.begin(), mass_.end());
   const float least = static_cast<float>(share) * most;
   std::vector<std::uint32_t> cells;
-  for (int layer = 0; layer < layers(); ++layer) {
-    if (layers_[layer].is_empty) continue;
+  for (int k = 0; k < layers(); ++k) {
+    if (layerAt(k).is_empty) continue;
     for (int row = window_.bottom; row <= window_.top; ++row) {
       for (int x = window_.left; x <= window_.right; ++x) {
-        const std::size_t i = at(layer, row, x);
+        const std::size_t i = at(k, row, x);
         if (mass_[i] > 0.0F && mass_[i] >= least) cells.push_back(static_cast<std::uint32_t>(i));
       }
     }
@@ -183,10 +182,9 @@ std::vector<std::uint32_t> PoseHistogram::cellsAbove(double share) const {
 
 Particles PoseHistogram::poses(const std::vector<std::uint32_t>& cells) const {
   Particles poses(static_cast<Eigen::Index>(cells.size()));
-  const std::size_t in_layer = static_cast<std::size_t>(width_) * height_;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto layer = static_cast<int>(cells[i] / in_layer);
-    const auto place = static_cast<int>(cells[i] % in_layer);
+    const auto layer = static_cast<int>(cells[i] / cellsInLayer());
+    const auto place = static_cast<int>(cells[i] % cellsInLayer());
     const Eigen::Vector2d point = centre(layer, place / width_, place % width_);
     const auto k = static_cast<Eigen::Index>(i);
     poses.setPose(k, map_->lattice().origin() * Pose2{point.x(), point.y(), headingOf(layer)});
@@ -197,21 +195,19 @@ Particles PoseHistogram::poses(const std::vector<std::uint32_t>& cells) const {
 }
 
 void PoseHistogram::assign(const std::vector<std::uint32_t>& cells, const Eigen::ArrayXd& mass) {
-  for (int layer = 0; layer < layers(); ++layer) {
-    if (layers_[layer].is_empty) continue;
-    std::fill_n(mass_.begin() + static_cast<long>(at(layer, 0, 0)),
-                static_cast<std::size_t>(width_) * height_, 0.0F);
-    layers_[layer].is_empty = true;
+  for (int k = 0; k < layers(); ++k) {
+    if (layerAt(k).is_empty) continue;
+    std::fill_n(mass_.begin() + static_cast<long>(at(k, 0, 0)), cellsInLayer(), 0.0F);
+    layerAt(k).is_empty = true;
   }
   window_ = {width_, -1, height_, -1};
-  const std::size_t in_layer = static_cast<std::size_t>(width_) * height_;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto held = static_cast<float>(mass[static_cast<Eigen::Index>(i)]);
     if (!(held > 0.0F)) continue;
     mass_[cells[i]] = held;
-    const auto place = static_cast<int>(cells[i] % in_layer);
+    const auto place = static_cast<int>(cells[i] % cellsInLayer());
     const int x = place % width_, y = place / width_;
-    layers_[cells[i] / in_layer].is_empty = false;
+    layers_[cells[i] / cellsInLayer()].is_empty = false;
     window_ = {std::min(window_.left, x), std::max(window_.right, x), std::min(window_.bottom, y),
                std::max(window_.top, y)};
   }

@@ -62,9 +62,14 @@ class PoseHistogram {
   };
 
   int layers() const { return static_cast<int>(layers_.size()); }
+  Layer& layerAt(int k) { return layers_[static_cast<std::size_t>(k)]; }
+  const Layer& layerAt(int k) const { return layers_[static_cast<std::size_t>(k)]; }
+  std::size_t cellsInLayer() const {
+    return static_cast<std::size_t>(std::ptrdiff_t{width_} * height_);
+  }
   double headingOf(int layer) const;  // in lattice coordinates
   std::size_t at(int layer, int row, int column) const {
-    return (static_cast<std::size_t>(layer) * height_ + row) * width_ + column;
+    return static_cast<std::size_t>((std::ptrdiff_t{layer} * height_ + row) * width_ + column);
   }
   Eigen::Vector2d centre(int layer, int row, int column) const;
   bool isFree(int layer, int row, int column) const;

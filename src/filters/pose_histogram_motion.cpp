@@ -68,7 +68,7 @@ void PoseHistogram::widen(int by) {
 /// Share by share to the four cells around, in a layer with another offset.
 void PoseHistogram::addBeside(const std::vector<float>& from, const Eigen::Vector2d& offset,
                               float share, int to) {
-  const Eigen::Array2d apart = (offset - layers_[to].offset).array() / cell_;
+  const Eigen::Array2d apart = (offset - layerAt(to).offset).array() / cell_;
   const Eigen::Array2i base = apart.floor().cast<int>();
   const Eigen::Array2f rest = (apart - apart.floor()).cast<float>();
   std::size_t i = 0;
@@ -102,19 +102,21 @@ void PoseHistogram::blurAlong(int layer, bool along_x, double variance) {
   const Kernel kernel(variance, cell_);
   const int lines = along_x ? window_.top - window_.bottom : window_.right - window_.left;
   const int cells = along_x ? window_.right - window_.left : window_.top - window_.bottom;
-  const std::size_t step = along_x ? 1 : width_;
-  std::vector<float> before(cells + 1);
+  const Eigen::InnerStride<> step(along_x ? 1 : width_);
+  Eigen::ArrayXf before(cells + 1);
   for (int line = 0; line <= lines; ++line) {
     const std::size_t begin =
         at(layer, window_.bottom + (along_x ? line : 0), window_.left + (along_x ? 0 : line));
+    Eigen::Map<Eigen::ArrayXf, Eigen::Unaligned, Eigen::InnerStride<>> after(&mass_[begin],
+                                                                             cells + 1, step);
     for (int pass = 0; pass < kernel.passes; ++pass) {
-      for (int i = 0; i <= cells; ++i) before[i] = mass_[begin + i * step];
+      before = after;
       for (int i = 0; i <= cells; ++i) {
         float sum = 0.0F;
         const int last = std::min(cells, i + kernel.reach);
         for (int k = std::max(0, i - kernel.reach); k <= last; ++k)
           sum += kernel.at(k - i) * before[k];
-        mass_[begin + i * step] = sum;
+        after[i] = sum;
       }
     }
   }
@@ -125,17 +127,16 @@ void PoseHistogram::blurHeadings(double variance) {
   const int reach = std::min(kernel.reach, (layers() - 1) / 2);
   for (int pass = 0; pass < kernel.passes; ++pass) {
     const std::vector<Layer> layers_before = layers_;
-    std::vector<std::vector<float>> before(layers_.size());
-    for (int layer = 0; layer < layers(); ++layer) {
-      if (!layers_[layer].is_empty) before[layer] = copyOf(layer);
-    }
-    for (int layer = 0; layer < layers(); ++layer) {
-      erase(layer);
+    std::vector<std::vector<float>> before;
+    for (int k = 0; k < layers(); ++k)
+      before.push_back(layerAt(k).is_empty ? std::vector<float>() : copyOf(k));
+    for (int k = 0; k < layers(); ++k) {
+      erase(k);
       for (int turns = -reach; turns <= reach; ++turns) {
-        const int from = (layer + turns + layers()) % layers();
+        const auto from = static_cast<std::size_t>((k + turns + layers()) % layers());
         if (before[from].empty()) continue;
-        addBeside(before[from], layers_before[from].offset, kernel.at(turns), layer);
-        layers_[layer].is_empty = false;
+        addBeside(before[from], layers_before[from].offset, kernel.at(turns), k);
+        layerAt(k).is_empty = false;
       }
     }
     widen(1);
@@ -145,12 +146,12 @@ void PoseHistogram::blurHeadings(double variance) {
 void PoseHistogram::move(const Pose2& motion, const Eigen::Matrix3d& noise) {
   Window all{width_, -1, height_, -1};
   for (int k = 0; k < layers(); ++k) {
-    Layer& layer = layers_[k];
-    layer.offset += Eigen::Rotation2Dd(headingOf(k)) * Eigen::Vector2d(motion.x, motion.y);
-    const int columns = static_cast<int>(std::lround(layer.offset.x() / cell_));
-    const int rows = static_cast<int>(std::lround(layer.offset.y() / cell_));
-    layer.offset -= cell_ * Eigen::Vector2d(columns, rows);
-    if (layer.is_empty) continue;
+    Layer& moved = layerAt(k);
+    moved.offset += Eigen::Rotation2Dd(headingOf(k)) * Eigen::Vector2d(motion.x, motion.y);
+    const int columns = static_cast<int>(std::lround(moved.offset.x() / cell_));
+    const int rows = static_cast<int>(std::lround(moved.offset.y() / cell_));
+    moved.offset -= cell_ * Eigen::Vector2d(columns, rows);
+    if (moved.is_empty) continue;
     if (columns != 0 || rows != 0) shift(k, columns, rows);
     all = {std::min(all.left, std::max(0, window_.left + columns)),
            std::max(all.right, std::min(width_ - 1, window_.right + columns)),
@@ -162,7 +163,7 @@ void PoseHistogram::move(const Pose2& motion, const Eigen::Matrix3d& noise) {
   const Eigen::Matrix2d along = noise.topLeftCorner<2, 2>();
   widen(Kernel(boundedNoise(along.trace()), cell_).width());
   for (int k = 0; k < layers(); ++k) {
-    if (layers_[k].is_empty) continue;
+    if (layerAt(k).is_empty) continue;
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(headingOf(k)).toRotationMatrix();
     const Eigen::Matrix2d turned = R * along * R.transpose();
     blurAlong(k, true, boundedNoise(turned(0, 0)));
