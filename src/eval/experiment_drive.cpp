@@ -39,7 +39,8 @@ ExperimentDrive::ExperimentDrive(const ExperimentSite& site, const ExperimentCas
       simulation_(siteOf(site, of_case), optionsOf(of_case, seed)),
       rng_(Rng(static_cast<std::uint64_t>(seed)).split(kEvents)),
       duration_(of_case.duration),
-      scan_period_(1.0 / SimulationOptions::from(of_case.simulation).scan_rate) {
+      scan_period_(1.0 / SimulationOptions::from(of_case.simulation).scan_rate),
+      has_mission_(SimulationOptions::from(of_case.simulation).drive_by == "estimate") {
   for (const auto& event : of_case.events) {
     const double step = event.every > 0.0 ? event.every : std::numeric_limits<double>::infinity();
     for (double at = event.at; at < duration_; at += step) {
@@ -111,6 +112,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
       return scan;
     }
     Sensed sensed = simulation_.step();
+    if (has_mission_) mission_.observe(simulation_, sensed.scan.has_value());
     if (!sensed.scan) continue;
     DriveScan scan;
     scan.scan = last_scan_ = std::move(*sensed.scan);

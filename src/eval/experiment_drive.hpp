@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "adaptive_localization/eval/experiment_site.hpp"
+#include "mission_record.hpp"
 
 namespace adaptive_localization {
 
@@ -25,6 +26,12 @@ class ExperimentDrive {
 
   /// The next scan; none when the time is up.
   std::optional<DriveScan> next();
+
+  /// Where the robot is localized: what a driver that does not know the truth steers by.
+  void localize(const Pose2& T_map_odom) { simulation_.localize(T_map_odom * T_odom_wheels_); }
+
+  /// Of a driver who steers by the estimate, else empty.
+  const MissionRecord& mission() const { return mission_; }
 
   const Pose2& truth() const { return simulation_.truth(); }  // T_map_base
   const Pose2& told() const { return told_; }                 // of the start, for T_map_base
@@ -59,6 +66,7 @@ class ExperimentDrive {
   Simulation simulation_;
   Rng rng_;
   double duration_, scan_period_;
+  bool has_mission_;  // the driver steers by the estimate
   std::vector<Due> due_;
   std::optional<Carry> carry_;
   double carried_{0.0};  // s in all
@@ -67,6 +75,7 @@ class ExperimentDrive {
   LaserScan last_scan_;
   Pose2 T_odom_last_scan_;
   Pose2 told_;
+  MissionRecord mission_;
 };
 
 }  // namespace adaptive_localization

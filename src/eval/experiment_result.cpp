@@ -76,6 +76,8 @@ void visitResult(Stored& result, Item&& item) {
   item("rms_deg", result.rms_deg);
   item("max_m", result.max_m);
   item("probe_errors_m", result.probe_errors_m);
+  item("arrival_errors_m", result.arrival_errors_m);
+  item("way_error_m", result.way_error_m);
   item("particles_first", result.particles_first);
   item("particles_mean", result.particles_mean);
   item("particles_max", result.particles_max);

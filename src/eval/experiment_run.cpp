@@ -93,8 +93,11 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
     if (bound && seen->put_down) bound->restart();
     if (bound && seen->T_map_base) judged.bounds = bound->scan(*seen->T_map_base);
     judge.observe(judged);
+    drive.localize(judged.answer.T_map_odom);
   }
   ExperimentResult result = judge.finish();
+  result.arrival_errors_m = drive.mission().arrivalErrors();
+  result.way_error_m = drive.mission().wayError();
   result.filter = localizer->options().filter;
   result.preset = localizer->options().preset;
   return result;

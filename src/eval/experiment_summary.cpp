@@ -136,6 +136,21 @@ void addErrors(const Results& runs, ExperimentSummary& row) {
   }
 }
 
+void addMission(const Results& runs, ExperimentSummary& row) {
+  using R = ExperimentResult;
+  std::vector<double> errors;
+  for (const auto& run : runs) {
+    errors.insert(errors.end(), run.arrival_errors_m.begin(), run.arrival_errors_m.end());
+  }
+  if (errors.empty()) return;
+  row.arrivals_per_min =
+      60.0 * static_cast<double>(errors.size()) / sum(valuesOf(runs, &R::duration_s));
+  row.arrival_median_m = quantile(errors, 0.5);
+  row.arrival_95_m = quantile(errors, 0.95);
+  row.arrival_largest_m = largest(errors);
+  row.way_error_median_m = quantile(valuesOf(runs, &R::way_error_m), 0.5);
+}
+
 void addEffort(const Results& runs, ExperimentSummary& row) {
   using R = ExperimentResult;
   row.particles_first = mean(valuesOf(runs, &R::particles_first));
@@ -165,6 +180,7 @@ ExperimentSummary summarizeRow(const Results& runs) {
   addModes(runs, row);
   addErrors(runs, row);
   row.accuracy = summarizeAccuracy(runs);
+  addMission(runs, row);
   addEffort(runs, row);
   return row;
 }

@@ -74,6 +74,11 @@ nlohmann::json toJson(const ExperimentSummary& row) {
                    {"max_m", row.max_m},
                    {"probe_mean_m", row.probe_mean_m},
                    {"probe_std_m", row.probe_std_m}};
+  json["mission"] = {{"arrival_median_m", row.arrival_median_m},
+                     {"arrival_95_m", row.arrival_95_m},
+                     {"arrival_largest_m", row.arrival_largest_m},
+                     {"arrivals_per_min", row.arrivals_per_min},
+                     {"way_error_median_m", row.way_error_median_m}};
   json["accuracy"] = toJson(row.accuracy);
   json["particles"] = {
       {"first", row.particles_first}, {"mean", row.particles_mean}, {"max", row.particles_max}};

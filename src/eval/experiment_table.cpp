@@ -155,6 +155,13 @@ std::vector<std::pair<std::string, Cell>> costColumns() {
          }
          return text;
        }},
+      {"off the way-points, mm: median, 95 %, most; off the way, rms; way-points a minute",
+       [](const Row& r) {
+         if (r.arrivals_per_min == 0.0) return std::string();
+         return fixed(1e3 * r.arrival_median_m, 0) + ", " + fixed(1e3 * r.arrival_95_m, 0) + ", " +
+                fixed(1e3 * r.arrival_largest_m, 0) + "; " + fixed(1e3 * r.way_error_median_m, 0) +
+                "; " + fixed(r.arrivals_per_min, 1);
+       }},
       {"particles: first, mean, most",
        [](const Row& r) {
          return fixed(r.particles_first, 0) + ", " + fixed(r.particles_mean, 0) + ", " +

@@ -101,6 +101,7 @@ Sensed Simulation::step() {
 
   Sensed sensed;
   if (const auto due = readings_.beat(time())) {
+    odometry_.report(*due - time());
     sensed.odometry = {*due, odometry_.pose(*due - time()), odometry_.velocity()};
   }
   if (const auto due = scans_.beat(time())) scan(*due);
@@ -114,7 +115,18 @@ Sensed Simulation::step() {
 void Simulation::drive() {
   constexpr int kTicks = 5;
   if (ticks_ % kTicks != 0 || time() - commanded_at_ <= options_.base.cmd_vel_timeout) return;
-  base_.command(driver_.steer(T_map_base_, people_.places(), kTicks * kStep), time());
+  const std::optional<Pose2> T_map_believed = believedPose();
+  if (!T_map_believed) return;
+  const Pose2 T_believed_map = *T_map_believed * inverse(T_map_base_);
+  std::vector<Eigen::Vector2d> people = people_.places();  // as they are seen from the robot
+  for (Eigen::Vector2d& person : people) person = T_believed_map * person;
+  base_.command(driver_.steer(*T_map_believed, people, kTicks * kStep), time());
+}
+
+std::optional<Pose2> Simulation::believedPose() const {
+  if (options_.drive_by == "truth") return T_map_base_;
+  if (!T_map_odom_) return std::nullopt;
+  return *T_map_odom_ * odometry_.pose();
 }
 
 /// Whether the robot would touch something there and come nearer to it.

@@ -56,13 +56,26 @@ void WheelOdometry::step(const Velocity& velocity, double dt) {
   T_odom_base_ = T_odom_base_ * arc(measured_, dt);
 }
 
+Pose2 WheelOdometry::firmwarePose(double after) const {
+  return after == 0.0 ? T_odom_base_ : T_odom_base_ * arc(measured_, after);
+}
+
+void WheelOdometry::report(double after) {
+  constexpr double kCount = 0.485e-3, kMillimetre = 1e-3, kDegree = kPi / 180.0;
+  const auto way = [](double from, double to) {
+    const double counts = std::nearbyint(to / kCount) - std::nearbyint(from / kCount);
+    return std::nearbyint(counts * kCount / kMillimetre) * kMillimetre;
+  };
+  const Pose2 before = at_report_;
+  at_report_ = firmwarePose(after);
+  reported_ = {reported_.x + way(before.x, at_report_.x), reported_.y + way(before.y, at_report_.y),
+               std::nearbyint(at_report_.theta / kDegree) * kDegree};
+}
+
 Pose2 WheelOdometry::pose(double after) const {
-  const Pose2 T_odom_base = after == 0.0 ? T_odom_base_ : T_odom_base_ * arc(measured_, after);
-  if (!options_.odom_whole_degrees) return T_odom_base;
-  const double degree = kPi / 180.0;
-  return {std::nearbyint(T_odom_base.x * 1000.0) / 1000.0,
-          std::nearbyint(T_odom_base.y * 1000.0) / 1000.0,
-          std::nearbyint(T_odom_base.theta / degree) * degree};
+  const Pose2 T_odom_base = firmwarePose(after);
+  return options_.odom_whole_degrees ? reported_ * (inverse(at_report_) * T_odom_base)
+                                     : T_odom_base;
 }
 
 }  // namespace adaptive_localization

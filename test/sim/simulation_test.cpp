@@ -140,6 +140,27 @@ TEST(Simulation, AWallStopsTheRobotWithoutTouch) {
   EXPECT_GT(simulation.truth().x, options.base.robot_radius + 0.1);
 }
 
+TEST(Simulation, ADriverWhoDoesNotKnowTheTruthSteersByWhereTheRobotIsLocalized) {
+  SimulationOptions options;
+  options.drive = true;
+  options.drive_by = "estimate";
+  options.odometry = OdometryOptions::profile("ideal");
+  options.route.route_arrival = 0.03;
+  options.route.route_brakes = true;
+  Simulation simulation = simulateHall(options);
+  const Pose2 start = simulation.truth();
+  for (int i = 0; i < 200; ++i) simulation.step();
+  EXPECT_EQ(simulation.truth().x, start.x) << "it drives though nobody localizes it";
+  const Pose2 wrong{start.x + 0.2, start.y, start.theta};  // T_map_odom: 0.2 m too far
+  simulation.localize(wrong);
+  while (simulation.driver().reached() == 0 && simulation.time() < 100.0) simulation.step();
+  ASSERT_EQ(simulation.driver().reached(), 1);
+  const Eigen::Vector2d off = Eigen::Vector2d(simulation.truth().x, simulation.truth().y) -
+                              simulation.driver().lastReached();
+  EXPECT_NEAR(off.x(), -0.2, 0.05);
+  EXPECT_NEAR(off.y(), 0.0, 0.05);
+}
+
 TEST(Simulation, CarryingTheRobotDoesNotTurnItsWheels) {
   SimulationOptions options;
   options.odometry = OdometryOptions::profile("ideal");

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace adaptive_localization {
 namespace {
 
@@ -82,20 +84,39 @@ TEST(WheelOdometry, SlippingWheelsSeeMoreTurnThanThereIs) {
   EXPECT_NEAR(drive(options, {0.0, 0.2}, 5.0).theta, 1.0, 1e-9);  // too slow to slip
 }
 
-TEST(WheelOdometry, ReportsWholeDegreesAndMillimetresButKeepsTheRest) {
+TEST(WheelOdometry, ReportsWholeDegreesAndWaysOfWholeMillimetres) {
   OdometryOptions options = exact();
   options.odom_whole_degrees = true;
   WheelOdometry odometry(options, Rng(1));
-  for (int i = 0; i < 1000; ++i) {
+  double way = 0.0, most_way = 0.0;  // of odometry and truth apart, m
+  for (int i = 1; i <= 5000; ++i) {
     odometry.step({0.033, 0.01}, kStep);
+    const Pose2 truth = arc({0.033, 0.01}, i * kStep);
+    if (i % 10 != 0) continue;
+    odometry.report();
     const Pose2 pose = odometry.pose();
     const double degrees = pose.theta * 180.0 / kPi;
     ASSERT_NEAR(degrees, std::nearbyint(degrees), 1e-9);
-    ASSERT_NEAR(pose.x * 1000.0, std::nearbyint(pose.x * 1000.0), 1e-9);
-    const Pose2 truth = arc({0.033, 0.01}, (i + 1) * kStep);
+    ASSERT_NEAR(pose.x * 1000.0, std::nearbyint(pose.x * 1000.0), 1e-6);
     ASSERT_NEAR(degrees, truth.theta * 180.0 / kPi, 0.5 + 1e-6);
-    ASSERT_NEAR(pose.x, truth.x, 0.0005 + 1e-9);
+    way = std::abs(pose.x - truth.x);
+    most_way = std::max(most_way, way);
   }
+  EXPECT_GT(most_way, 0.002);        // errors of reports add up
+  EXPECT_LT(most_way, 500 * 0.001);  // each at most half a millimetre, and half a count twice
+}
+
+TEST(WheelOdometry, GoesOnBetweenReports) {
+  OdometryOptions options = exact();
+  options.odom_whole_degrees = true;
+  WheelOdometry odometry(options, Rng(1));
+  for (int i = 0; i < 57; ++i) odometry.step({0.4, 0.0}, kStep);
+  odometry.report();
+  const Pose2 reported = odometry.pose();
+  EXPECT_NEAR(reported.x, 0.228, 1e-9);
+  for (int i = 0; i < 3; ++i) odometry.step({0.4, 0.0}, kStep);
+  EXPECT_NEAR(odometry.pose().x - reported.x, 0.012, 1e-9);
+  EXPECT_NEAR(odometry.pose(0.005).x - reported.x, 0.014, 1e-9);
 }
 
 TEST(WheelOdometry, ProfilesGetWorse) {

@@ -90,6 +90,9 @@ struct ExperimentResult {
   double rms_m{0.0}, rms_deg{0.0}, max_m{0.0};  // after it was found
   Accuracy accuracy;
   std::vector<double> probe_errors_m;
+  /// On the floor: from each way-point that the driver took for reached, and, rms, from its way.
+  std::vector<double> arrival_errors_m;
+  double way_error_m{0.0};
   int particles_first{0}, particles_max{0};
   double particles_mean{0.0};
   double update_ms_median{0.0}, update_ms_max{0.0};  // processor time of scans that updated

@@ -44,6 +44,10 @@ struct ExperimentSummary {
   AccuracySummary accuracy;
   double rms_median_m{0.0}, rms_median_deg{0.0}, max_m{0.0};
   std::vector<double> probe_mean_m, probe_std_m;
+  // Where the driver steers by the estimate, on the floor: from the way-points that it reached, of
+  // all runs, from its way, and way-points in a minute.
+  double arrival_median_m{0.0}, arrival_95_m{0.0}, arrival_largest_m{0.0};
+  double way_error_median_m{0.0}, arrivals_per_min{0.0};
   double particles_first{0.0}, particles_mean{0.0};
   int particles_max{0};
   double update_ms_median{0.0}, update_ms_max{0.0};

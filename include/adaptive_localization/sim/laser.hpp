@@ -16,7 +16,7 @@ struct LaserOptions {
   double laser_x{0.021};
   double laser_max_range{80.0};
   double laser_noise{0.010};
-  double laser_bias{0.015};
+  double laser_bias{0.035};
   double laser_resolution{0.01};
   double laser_mixed{0.5};
   double laser_grazing{0.3};
@@ -35,8 +35,8 @@ struct LaserOptions {
            "Farther is no return: 80, or 8 in the millimetre mode.");
     option("laser_noise", laser_noise, Range{0, 1}, "m", "Standard deviation of a range.");
     option("laser_bias", laser_bias, Range{0, 1}, "m",
-           "The run's common error of all ranges is drawn from plus or minus this; the data sheet "
-           "allows 0.035.");
+           "The run's common error of all ranges is drawn from plus or minus this: as much as the "
+           "data sheet allows.");
     option("laser_resolution", laser_resolution, Range{0, 1}, "m",
            "Ranges are multiples of this; 0: not rounded.");
     option("laser_mixed", laser_mixed, kProbability, "",

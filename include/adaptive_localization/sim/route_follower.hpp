@@ -4,26 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/sim/drive_base.hpp"
-#include "adaptive_localization/sim/free_space.hpp"
+#include "adaptive_localization/sim/way_follower.hpp"
 
 namespace adaptive_localization {
 
-struct RouteOptions {
-  double route_speed{0.4};
-  double route_turn_rate{0.8};
-
-  template <class Visitor>
-  void visit(Visitor&& option) {
-    option("route_speed", route_speed, Range{0.01, 2.2}, "m/s", "Speed of the scripted drive.");
-    option("route_turn_rate", route_turn_rate, Range{0.05, 8.7}, "rad/s",
-           "Turn rate of the scripted drive.");
-  }
-};
-
-/// A scripted driver that knows the truth: drives round a list of way-points for ever, from
-/// wherever the robot is. Pure pursuit (Coulter 1992) of a point on the way that is in sight; turns
-/// on the spot first when it lies far aside.
+/// A scripted driver: drives round a list of way-points for ever, from wherever the robot is.
 class RouteFollower {
  public:
   /// With an empty route it wanders between random places, drawn once.
@@ -35,26 +20,27 @@ class RouteFollower {
   Velocity steer(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& people, double dt);
 
   /// Starts anew with the way-point that is nearest by way: the robot has been carried.
-  void restart() { way_.clear(); }
+  void restart() { follower_.follow({}); }
 
-  /// Way-points reached so far.
+  /// Way-points reached so far, and the last of them.
   int reached() const { return reached_; }
+  const Eigen::Vector2d& lastReached() const { return last_reached_; }
+  /// Metres from a point to the way that is being driven, infinity before there is one.
+  double distanceFromWay(const Eigen::Vector2d& point) const { return follower_.distanceTo(point); }
   const std::vector<Eigen::Vector2d>& route() const { return route_; }
 
  private:
-  std::vector<Eigen::Vector2d> wayTo(const Eigen::Vector2d& from, std::size_t waypoint) const;
   void begin(const Eigen::Vector2d& from);
   void proceed(const Eigen::Vector2d& from);
-  const Eigen::Vector2d& carrot(const Eigen::Vector2d& from);
   bool isBlocked(const Pose2& T_map_base, const std::vector<Eigen::Vector2d>& people) const;
 
   std::shared_ptr<const FreeSpace> free_space_;
   std::vector<Eigen::Vector2d> route_;
   RouteOptions options_;
+  WayFollower follower_;
   std::size_t target_{0};
-  std::vector<Eigen::Vector2d> way_;  // to the target, dense; empty: to be chosen
-  std::size_t next_{0};               // how far along the way the robot is
   int reached_{0};
+  Eigen::Vector2d last_reached_{0.0, 0.0};
   Eigen::Vector2d last_place_{0.0, 0.0};
   double waiting_{0.0};  // s without moving
   double backing_{0.0};  // s left to drive backward

@@ -22,10 +22,11 @@ struct SimulationOptions {
   std::string profile{"nominal"};
   int seed{1};
   bool drive{false};
+  std::string drive_by{"truth"};
   bool furniture{false};
   int people{0};
   double scan_rate{10.0};
-  double odom_rate{20.0};
+  double odom_rate{10.0};
   DriveBaseOptions base;
   OdometryOptions odometry;
   LaserOptions laser;
@@ -40,6 +41,9 @@ struct SimulationOptions {
            "How good the wheel odometry is: the defaults of the odom_ options.");
     option("seed", seed, Range{0, 2147483647}, "", "Same seed and same commands, same readings.");
     option("drive", drive, "Drive the route; a command takes over for cmd_vel_timeout.");
+    option("drive_by", drive_by, Choices{"truth", "estimate"},
+           "What the driver steers by: where the robot is, or where it is localized; while nothing "
+           "localizes it, it stands.");
     option("furniture", furniture, "Put up the floor plan's furniture, which no map shows.");
     option("people", people, Range{0, 1000}, "", "People walking about, whom no map shows.");
     option("scan_rate", scan_rate, Range{0.1, 100}, "Hz", "Laser scans per second.");
@@ -95,6 +99,10 @@ class Simulation {
   static Simulation load(const SimulationOptions& options);
 
   void command(const Velocity& velocity);
+
+  /// Where the robot is localized: what the driver steers by from now on if drive_by says so.
+  void localize(const Pose2& T_map_odom) { T_map_odom_ = T_map_odom; }
+
   Sensed step();
 
   double time() const { return static_cast<double>(ticks_) * kStep; }
@@ -117,6 +125,7 @@ class Simulation {
   Pose2 chooseStart(const Site& site, const std::string& text);
   Pose2 randomPose();
   void drive();
+  std::optional<Pose2> believedPose() const;
   void move();
   bool blocks(const Pose2& T_map_next) const;
   void scan(double time);
@@ -132,6 +141,7 @@ class Simulation {
   RouteFollower driver_;
   Pose2 start_;
   Pose2 T_map_base_;
+  std::optional<Pose2> T_map_odom_;  // as it is localized
   std::int64_t ticks_{0};
   double commanded_at_{-1e9};
   Metronome scans_, readings_;

@@ -34,7 +34,8 @@ struct OdometryOptions {
            "Share of the wheels' turning that is lost while they slip (0.3 s each time).");
     option("odom_axle", odom_axle, Range{0.05, 5}, "m", "True distance of the wheels.");
     option("odom_whole_degrees", odom_whole_degrees,
-           "Report whole millimetres and degrees, as p2os does.");
+           "Report as p2os does: whole degrees, and ways of whole millimetres since the report "
+           "before.");
   }
 
   /// Defaults by name: ideal (odometry is the truth), nominal, bad.
@@ -50,14 +51,20 @@ class WheelOdometry {
   /// The body really moved so for dt seconds.
   void step(const Velocity& velocity, double dt);
 
-  /// T_odom_base as the driver reports it, some seconds after the last step or before; starts at
-  /// the origin.
+  /// The driver reports where the robot is some seconds after the last step, or before. p2os takes
+  /// the difference of the firmware's counts of 0.485 mm since the last report and rounds it to
+  /// whole millimetres, so errors add up; headings are rounded to whole degrees, each anew.
+  void report(double after = 0.0);
+
+  /// T_odom_base, some seconds after the last step or before: what was reported at last, the
+  /// origin at first, and the wheels' way since then.
   Pose2 pose(double after = 0.0) const;
 
   /// The wheels' velocity in the last step as odometry takes it.
   const Velocity& velocity() const { return measured_; }
 
  private:
+  Pose2 firmwarePose(double after) const;
   double slip(double turn_rate, double dt);
   double noise(double travel) {
     return rng_.normal(0.0, std::sqrt(options_.odom_wheel_noise * std::abs(travel)));
@@ -65,7 +72,8 @@ class WheelOdometry {
 
   OdometryOptions options_;
   Rng rng_;
-  Pose2 T_odom_base_;
+  Pose2 T_odom_base_;           // the firmware's
+  Pose2 at_report_, reported_;  // the firmware's and the driver's, T_odom_base at the last report
   Velocity measured_;
   double slip_left_{0.0};  // s
 };
