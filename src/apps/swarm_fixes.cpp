@@ -14,7 +14,9 @@ int main(int argc, char** argv) {
       std::cout << al::swarmFixesUsage();
       return 0;
     }
-    std::cout << al::toTable(al::raceFixes(command.plan));
+    const auto cells = al::raceFixes(command.plan);
+    std::cout << al::toTable(cells);
+    if (!command.json_file.empty()) al::saveJson(cells, command.json_file);
   } catch (const std::exception& error) {
     std::cerr << "swarm_fixes: " << error.what() << "\nTry swarm_fixes --help\n";
     return 1;

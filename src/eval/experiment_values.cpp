@@ -193,7 +193,8 @@ ExperimentCore readCore(const YamlValue& value) {
   }
   core.parameters.set("filter", OptionValue(filter));
   if (value.has("preset")) {
-    core.parameters.set("preset", OptionValue(value.at("preset").oneOf({"recommended", "seed"})));
+    core.parameters.set("preset",
+                        OptionValue(value.at("preset").oneOf({"recommended", "seed", "fp"})));
   }
   return core;
 }

@@ -14,21 +14,50 @@ bool asksForHelp(const std::vector<std::string>& arguments) {
                      [](const std::string& a) { return a == "--help" || a == "-h"; });
 }
 
-constexpr int kMostRuns = 100000;
+constexpr int kMostRuns = 100000, kMostSearchers = 1000000;
 
 void refuseMore(const std::vector<std::string>& arguments, std::size_t most) {
   if (arguments.size() <= most) return;
   throw std::invalid_argument("argument '" + arguments[most] + "' is one too many");
 }
 
-/// Takes `--first-seed N` out of the arguments; 1 where it is not there.
+/// Takes all `option VALUE` out of the arguments, and returns the values.
+std::vector<std::string> takeAll(std::vector<std::string>& arguments, const std::string& option) {
+  std::vector<std::string> values;
+  for (auto at = std::find(arguments.begin(), arguments.end(), option); at != arguments.end();
+       at = std::find(arguments.begin(), arguments.end(), option)) {
+    if (at + 1 == arguments.end()) throw std::invalid_argument(option + ": its value is missing");
+    values.push_back(*(at + 1));
+    arguments.erase(at, at + 2);
+  }
+  return values;
+}
+
 int takeFirstSeed(std::vector<std::string>& arguments) {
-  const auto at = std::find(arguments.begin(), arguments.end(), "--first-seed");
-  if (at == arguments.end()) return 1;
-  if (at + 1 == arguments.end()) throw std::invalid_argument("--first-seed: its number is missing");
-  const int seed = toCount("--first-seed", *(at + 1), 1000000000);
-  arguments.erase(at, at + 2);
+  int seed = 1;
+  for (const std::string& text : takeAll(arguments, "--first-seed")) {
+    seed = toCount("--first-seed", text, 1000000000);
+  }
   return seed;
+}
+
+/// What of the plan is chosen; the rest is as it was.
+void takeChoices(std::vector<std::string>& arguments, SwarmFixPlan& plan) {
+  const auto swarms = takeAll(arguments, "--swarm"), filters = takeAll(arguments, "--filter");
+  if (!swarms.empty() || !filters.empty()) {
+    plan.swarms = swarms;
+    plan.filters = filters;
+  }
+  const auto starts = takeAll(arguments, "--start");
+  if (!starts.empty()) plan.starts = starts;
+  for (const std::string& text : takeAll(arguments, "--updates")) {
+    plan.updates = toCount("--updates", text, kMostRuns);
+  }
+  const auto searchers = takeAll(arguments, "--searchers");
+  if (!searchers.empty()) plan.searchers.clear();
+  for (const std::string& text : searchers) {
+    plan.searchers.push_back(toCount("--searchers", text, kMostSearchers));
+  }
 }
 
 }  // namespace
@@ -46,14 +75,20 @@ std::string swarmFunctionsUsage() {
 }
 
 std::string swarmFixesUsage() {
-  return "usage: swarm_fixes WORLD.yaml RESOLUTION [RUNS [torus]] [--first-seed N]\n\n"
+  return "usage: swarm_fixes WORLD.yaml RESOLUTION [RUNS [torus]] [OPTION VALUE]...\n\n"
          "Compares swarms, and filters, that look for the place of one scan of 11 beams.\n\n"
          "  WORLD.yaml  a floor plan, as in maps/*/world.yaml\n"
          "  RESOLUTION  of its map, m\n"
          "  RUNS        places of each kind of search (default 30)\n"
-         "  torus       searchers that leave at one end of the map come back at the other\n"
-         "  N           the first of the seeds, which follow each other (default 1)\n"
-         "  --help      print this\n";
+         "  torus       searchers that leave at one end of the map come back at the other\n\n"
+         "  --first-seed N     the first of the seeds, which follow each other (default 1)\n"
+         "  --searchers N      bats or particles; may be given several times, as all below\n"
+         "  --start NAME       of swarms: free, ser or places\n"
+         "  --swarm NAME       a swarm alone, as the table names it; only those that are given\n"
+         "  --filter NAME      a whole core, or with another preset, as lbba/seed or mcl/fp\n"
+         "  --updates N        of a whole core at the most, by a scan each (default 500)\n"
+         "  --json FILE        writes all runs\n"
+         "  --help             print this\n";
 }
 
 SwarmFunctionsCommand parseSwarmFunctions(std::vector<std::string> arguments) {
@@ -72,6 +107,8 @@ SwarmFixesCommand parseSwarmFixes(std::vector<std::string> arguments) {
   command.wants_help = asksForHelp(arguments);
   if (command.wants_help) return command;
   command.plan.first_seed = takeFirstSeed(arguments);
+  takeChoices(arguments, command.plan);
+  for (const std::string& file : takeAll(arguments, "--json")) command.json_file = file;
   refuseMore(arguments, 4);
   if (arguments.empty()) throw std::invalid_argument("WORLD.yaml is missing");
   if (arguments.size() < 2) throw std::invalid_argument("RESOLUTION is missing");

@@ -102,7 +102,10 @@ SearchSpace SwarmFixScene::space(bool is_torus) const {
 FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles,
                                         std::uint64_t seed) const {
   FilterContext context{builtins(), {map_, distance_field_, places_}, {}, seed};
-  for (const auto& [key, value] : builtins().filters.find(filter).recommended) {
+  const std::size_t slash = filter.find('/');
+  const std::string preset = slash == std::string::npos ? "recommended" : filter.substr(slash + 1);
+  const FilterDescription& core = builtins().filters.find(filter.substr(0, slash));
+  for (const auto& [key, value] : core.preset(preset)) {
     context.parameters.set(key, value);
   }
   context.parameters.set("line_map", OptionValue(world_file_));

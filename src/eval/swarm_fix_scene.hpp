@@ -41,7 +41,7 @@ class SwarmFixScene {
   /// The map's ends, and all headings.
   SearchSpace space(bool is_torus) const;
 
-  /// For the filter of this name with so many particles or searchers.
+  /// For the filter of this name with so many particles or searchers; "lbba/seed": its preset.
   FilterContext contextFor(const std::string& filter, int particles, std::uint64_t seed) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "adaptive_localization/eval/report.hpp"
 #include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
@@ -17,14 +18,6 @@ constexpr double kTolerance = 0.03;
 constexpr int kMaxIterations = 500;
 constexpr double kRight = 0.15, kRightTurn = 5.0 * kPi / 180.0;  // m, rad
 
-/// What came of one search.
-struct Outcome {
-  Pose2 found;
-  int iterations{0};
-  bool is_reached{false};
-  double ms{0.0};
-};
-
 /// Where the laser stands in a run, and what it sees: the same for all.
 struct Sight {
   Sight(const SwarmFixScene& scene, int seed)
@@ -37,8 +30,19 @@ struct Sight {
   Observations observations;
 };
 
-Outcome searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sight,
-                   const SwarmFixPlan& plan, const SwarmFixCell& cell) {
+/// How far the answer is off, and the answer once it is matched.
+SwarmFixRun judged(SwarmFixRun run, const Pose2& answer, const SwarmFixScene& scene,
+                   const Sight& sight) {
+  const Scan& scan = sight.observations.scan;
+  run.error_mm = 1000.0 * distance(answer, sight.truth);
+  run.matched_mm = 1000.0 * distance(scene.matched(answer, scan), sight.truth);
+  run.is_found = run.error_mm < 1000.0 * kRight &&
+                 std::abs(wrapAngle(answer.theta - sight.truth.theta)) < kRightTurn;
+  return run;
+}
+
+SwarmFixRun searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sight,
+                       const SwarmFixPlan& plan, const SwarmFixCell& cell) {
   const auto start = scene.spread(cell.start, cell.searchers, sight.observations, sight.rng);
   StopRule rule;
   rule.tolerance = kTolerance;
@@ -47,77 +51,75 @@ Outcome searchWith(const SwarmMove& move, const SwarmFixScene& scene, Sight& sig
   const TableObjective objective = scene.objective(sight.observations.scan);
   Swarm swarm(scene.space(plan.is_torus), start, objective);
   const SearchResult result = search(swarm, move, objective, rule, sight.rng);
-  return {{swarm.best[0], swarm.best[1], swarm.best[2]},
-          result.iterations,
-          result.is_reached,
-          watch.milliseconds()};
+  SwarmFixRun run;
+  run.iterations = result.iterations;
+  run.cost = swarm.best_cost;
+  run.is_reached = result.is_reached;
+  run.ms = watch.milliseconds();
+  return judged(run, {swarm.best[0], swarm.best[1], swarm.best[2]}, scene, sight);
 }
 
-Outcome localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight) {
-  Outcome outcome;
+SwarmFixRun localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sight, int updates) {
+  SwarmFixRun run;
+  Pose2 answer;
   const Stopwatch watch;
   filter.reset(Anywhere{});
-  while (!outcome.is_reached && outcome.iterations < kMaxIterations) {
-    outcome.found = filter.update({}, sight.observations).T_map_base;
-    ++outcome.iterations;
+  while (!run.is_reached && run.iterations < updates) {
+    answer = filter.update({}, sight.observations).T_map_base;
+    ++run.iterations;
     Eigen::ArrayXXd position(1, 3);
-    position << outcome.found.x, outcome.found.y, outcome.found.theta;
+    position << answer.x, answer.y, answer.theta;
     Eigen::ArrayXd cost(1);
     scene.objective(sight.observations.scan).evaluate(position, cost);
-    outcome.is_reached = cost[0] <= kTolerance;
+    run.cost = cost[0];
+    run.is_reached = run.cost <= kTolerance;
     sight.observations = scene.observe(sight.truth, sight.rng);
   }
-  outcome.ms = watch.milliseconds();
-  return outcome;
+  run.ms = watch.milliseconds();
+  return judged(run, answer, scene, sight);
 }
 
 /// Runs with one seed after the other.
 template <class Find>
-SwarmFixCell runAll(SwarmFixCell cell, int first_seed, const SwarmFixScene& scene,
+SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixPlan& plan, const SwarmFixScene& scene,
                     const Find& find) {
-  std::vector<double> times, errors, matched;
-  for (int seed = first_seed; seed < first_seed + cell.runs; ++seed) {
+  for (int seed = plan.first_seed; seed < plan.first_seed + plan.runs; ++seed) {
     Sight sight(scene, seed);
-    const Outcome outcome = find(sight, seed);
-    const double error = distance(outcome.found, sight.truth);
-    cell.iterations.push_back(outcome.iterations);
-    cell.reached += outcome.is_reached ? 1 : 0;
-    times.push_back(outcome.ms);
-    if (error < kRight &&
-        std::abs(wrapAngle(outcome.found.theta - sight.truth.theta)) < kRightTurn) {
-      ++cell.found;
-      errors.push_back(1000.0 * error);
-      matched.push_back(
-          1000.0 * distance(scene.matched(outcome.found, sight.observations.scan), sight.truth));
-    }
+    cell.runs.push_back(find(sight, seed));
+    cell.runs.back().seed = seed;
   }
-  cell.error_mm = mean(errors);
-  cell.matched_mm = mean(matched);
-  cell.matched_std_mm = deviation(matched);
-  if (!matched.empty()) {
-    cell.matched_ic99_mm = 2.58 * cell.matched_std_mm / std::sqrt(matched.size());
-  }
-  cell.ms_median = quantile(times, 0.5);
-  cell.ms_mean = mean(times);
   return cell;
 }
 
 /// Nothing where nobody was found.
 std::string errorsOf(const SwarmFixCell& cell) {
-  if (cell.found == 0) return "| |";
+  const auto found = cell.foundRuns();
+  if (found.empty()) return "| |";
+  const std::vector<double> matched = valuesOf(found, &SwarmFixRun::matched_mm);
+  const double sigma = deviation(matched);
+  const double ic99 = 2.58 * sigma / std::sqrt(static_cast<double>(matched.size()));
   char text[100];
-  std::snprintf(text, sizeof text, "| %.1f | %.1f / %.1f / %.1f", cell.error_mm, cell.matched_mm,
-                cell.matched_ic99_mm, cell.matched_std_mm);
+  std::snprintf(text, sizeof text, "| %.1f | %.1f / %.1f / %.1f",
+                mean(valuesOf(found, &SwarmFixRun::error_mm)), mean(matched), ic99, sigma);
   return text;
 }
 
 std::string rowOf(const SwarmFixCell& cell) {
+  const auto runs = static_cast<double>(cell.runs.size());
+  const auto reached = those(cell.runs, [](const SwarmFixRun& run) { return run.is_reached; });
+  const std::vector<double> ms = valuesOf(cell.runs, &SwarmFixRun::ms);
   char row[300];
   std::snprintf(row, sizeof row, "| %s | %s | %d | %.0f | %.0f | %.1f %s | %.2f | %.2f |\n",
-                cell.start.c_str(), cell.core.c_str(), cell.searchers,
-                100.0 * cell.found / cell.runs, 100.0 * cell.reached / cell.runs,
-                cell.meanIterations(), errorsOf(cell).c_str(), cell.ms_median, cell.ms_mean);
+                cell.start.c_str(), cell.core.c_str(), cell.searchers, 100.0 * cell.found() / runs,
+                100.0 * static_cast<double>(reached.size()) / runs, cell.meanIterations(),
+                errorsOf(cell).c_str(), quantile(ms, 0.5), mean(ms));
   return row;
+}
+
+std::vector<int> iterationsOf(const SwarmFixCell& cell) {
+  std::vector<int> iterations;
+  for (const SwarmFixRun& run : cell.runs) iterations.push_back(run.iterations);
+  return iterations;
 }
 
 /// The improved leaders against the bats with the right sign, as far as both are there.
@@ -131,8 +133,8 @@ std::string comparison(const std::vector<SwarmFixCell>& cells) {
       std::snprintf(row, sizeof row, "| %s | %d | %.1f | %.1f | %.2g | %.2g |\n",
                     leaders.start.c_str(), leaders.searchers, leaders.meanIterations(),
                     bats.meanIterations(),
-                    signedRankTestOfLess(leaders.iterations, bats.iterations),
-                    signTestOfLess(leaders.iterations, bats.iterations));
+                    signedRankTestOfLess(iterationsOf(leaders), iterationsOf(bats)),
+                    signTestOfLess(iterationsOf(leaders), iterationsOf(bats)));
       text += row;
     }
   }
@@ -145,18 +147,27 @@ std::string comparison(const std::vector<SwarmFixCell>& cells) {
 
 }  // namespace
 
+int SwarmFixCell::found() const {
+  return static_cast<int>(foundRuns().size());
+}
+
+std::vector<SwarmFixRun> SwarmFixCell::foundRuns() const {
+  return those(runs, [](const SwarmFixRun& run) { return run.is_found; });
+}
+
 double SwarmFixCell::meanIterations() const {
-  return mean({iterations.begin(), iterations.end()});
+  return mean(valuesOf(runs, &SwarmFixRun::iterations));
 }
 
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
   const SwarmFixScene scene(plan.world, plan.resolution);
   std::vector<SwarmFixCell> cells;
+  const std::vector<SwarmRacer> racers = swarmRacers(plan.swarms);
   for (const std::string& start : plan.starts) {
-    for (const SwarmRacer& racer : swarmRacers()) {
+    for (const SwarmRacer& racer : racers) {
       for (const int count : plan.searchers) {
-        const SwarmFixCell cell{start, racer.name, count, plan.runs};
-        cells.push_back(runAll(cell, plan.first_seed, scene, [&](Sight& sight, int) {
+        const SwarmFixCell cell{start, racer.name, count};
+        cells.push_back(runAll(cell, plan, scene, [&](Sight& sight, int) {
           return searchWith(*racer.move, scene, sight, plan, cell);
         }));
       }
@@ -164,15 +175,36 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
   }
   for (const std::string& filter : plan.filters) {
     for (const int count : plan.searchers) {
-      cells.push_back(runAll(
-          {"its own", filter, count, plan.runs}, plan.first_seed, scene,
-          [&](Sight& sight, int seed) {
-            const auto context = scene.contextFor(filter, count, static_cast<std::uint64_t>(seed));
-            return localizeWith(*builtins().filters.make(filter, context), scene, sight);
-          }));
+      cells.push_back(runAll({"its own", filter, count}, plan, scene, [&](Sight& sight, int seed) {
+        const auto context = scene.contextFor(filter, count, static_cast<std::uint64_t>(seed));
+        const std::string core = filter.substr(0, filter.find('/'));
+        return localizeWith(*builtins().filters.make(core, context), scene, sight, plan.updates);
+      }));
     }
   }
   return cells;
+}
+
+void to_json(nlohmann::json& json, const SwarmFixRun& run) {
+  json = {{"seed", run.seed},
+          {"iterations", run.iterations},
+          {"cost", run.cost},
+          {"is_reached", run.is_reached},
+          {"is_found", run.is_found},
+          {"error_mm", run.error_mm},
+          {"matched_mm", run.matched_mm},
+          {"ms", run.ms}};
+}
+
+void saveJson(const std::vector<SwarmFixCell>& cells, const std::string& file) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const SwarmFixCell& cell : cells) {
+    json.push_back({{"start", cell.start},
+                    {"core", cell.core},
+                    {"searchers", cell.searchers},
+                    {"runs", cell.runs}});
+  }
+  saveJson(json, file);
 }
 
 std::string toTable(const std::vector<SwarmFixCell>& cells) {

@@ -2,7 +2,9 @@
 #include "adaptive_localization/eval/swarm_race.hpp"
 
 #include <cstdio>
+#include <stdexcept>
 
+#include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 #include "adaptive_localization/swarm/swarm_search.hpp"
 #include "adaptive_localization/swarm/test_functions.hpp"
@@ -44,6 +46,27 @@ std::vector<SwarmRacer> swarmRacers() {
           {"lbba improved", std::make_shared<BatMove>(BatOptions{}, LeaderOptions{})},
           {"lbba improved, no leaps", std::make_shared<BatMove>(no_leaps, LeaderOptions{})},
           {"pso", std::make_shared<ParticleSwarmMove>()}};
+}
+
+std::vector<std::string> swarmNames() {
+  std::vector<std::string> names;
+  for (const SwarmRacer& racer : swarmRacers()) names.push_back(racer.name);
+  return names;
+}
+
+std::vector<SwarmRacer> swarmRacers(const std::vector<std::string>& names) {
+  std::vector<SwarmRacer> chosen;
+  std::string known;
+  for (const SwarmRacer& racer : swarmRacers()) known += "; " + racer.name;
+  for (const std::string& name : names) {
+    const auto found =
+        those(swarmRacers(), [&](const SwarmRacer& racer) { return racer.name == name; });
+    if (found.empty()) {
+      throw std::invalid_argument("swarm: got '" + name + "', expected one of " + known.substr(2));
+    }
+    chosen.push_back(found.front());
+  }
+  return chosen;
 }
 
 std::vector<SwarmRaceCell> raceSwarms(int seeds, int first_seed) {

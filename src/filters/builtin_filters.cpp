@@ -145,6 +145,7 @@ std::vector<FilterDescription> builtinFilters() {
       particleFilter("mcl", "Monte Carlo localization with a fixed number of particles.",
                      Size::kFixed, Looks::kNowhere, {{"max_particles", 2000}, {"refine", true}},
                      Preset{{"max_particles", 5000}} + sourceOfAll()));
+  filters.back().more_presets["fp"] = sourceOfComparedParticles();
   filters.push_back(particleFilter("kld", "MCL with as many particles as KLD-sampling asks for.",
                                    Size::kKld, Looks::kNowhere, {{"refine", true}},
                                    sourceOfKld() + sourceOfAll()));

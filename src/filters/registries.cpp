@@ -57,6 +57,23 @@ class Rows {
 
 }  // namespace
 
+std::vector<std::string> FilterDescription::presetNames() const {
+  std::vector<std::string> names{"recommended", "seed"};
+  for (const auto& more : more_presets) names.push_back(more.first);
+  return names;
+}
+
+const std::map<std::string, OptionValue>& FilterDescription::preset(const std::string& of) const {
+  if (of == "recommended") return recommended;
+  if (of == "seed") return seed;
+  const auto found = more_presets.find(of);
+  if (found != more_presets.end()) return found->second;
+  std::string known;
+  for (const auto& each : presetNames()) known += (known.empty() ? "" : ", ") + each;
+  throw std::invalid_argument("option 'preset': got '" + of + "', expected one of " + known +
+                              ": those of " + name);
+}
+
 void Registries::loadLibrary(const std::string& path) {
   // never closed: the code of what it adds lives there
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);

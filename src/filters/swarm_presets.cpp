@@ -37,4 +37,27 @@ Preset sourceOfLeaders() {
       {"leaders_per_bats", 300}, {"min_leaders", 1}, {"walk_center", std::string("global_best")}};
 }
 
+Preset sourceOfComparedParticles() {
+  return {{"max_particles", 2000},
+          {"laser_max_beams", 11},
+          {"laser_model_type", std::string("beam")},
+          {"laser_z_hit", 1.0},
+          {"laser_z_short", 0.0},
+          {"laser_z_max", 0.0},
+          {"laser_z_rand", 0.0},
+          {"laser_sigma_hit", 0.2},
+          {"effective_beams", 1000.0},
+          {"odom_alpha1", 0.0},
+          {"odom_alpha2", 0.0},
+          {"odom_alpha3", 0.0},
+          {"odom_alpha4", 0.0},
+          {"odom_noise_xy", 0.05},
+          {"odom_noise_theta", 0.03},
+          {"resampling_scheme", std::string("multinomial")},
+          {"selective_resampling", false},
+          {"min_effective_share", 0.0},
+          {"update_min_d", 0.0},
+          {"update_min_a", 0.0}};
+}
+
 }  // namespace adaptive_localization

@@ -59,7 +59,7 @@ Setup SetupReader::read(Parameters parameters) {
   loadPlugins(given.plugins);
   const FilterDescription& filter = registries_.filters.find(given.filter);
   Parameters preset;
-  for (const auto& [key, value] : given.preset == "seed" ? filter.seed : filter.recommended) {
+  for (const auto& [key, value] : filter.preset(given.preset)) {
     preset.set(key, value);
   }
   parameters.fill(preset);

@@ -58,6 +58,29 @@ TEST(SwarmCommand, ReadsTheFirstSeedWhereverItStands) {
   EXPECT_THAT(refusedFunctions({"7", "--first-seed"}), HasSubstr("--first-seed"));
 }
 
+TEST(SwarmCommand, ReadsWhichSwarmsAndFiltersTakePart) {
+  const SwarmFixPlan all = parseSwarmFixes({"w.yaml", "0.1"}).plan;
+  EXPECT_EQ(all.swarms, swarmNames());
+  const auto command =
+      parseSwarmFixes({"w.yaml", "0.1", "9", "--filter", "mcl/fp", "--searchers", "20",
+                       "--searchers", "400", "--json", "fixes.json", "--updates", "7"});
+  EXPECT_EQ(command.plan.updates, 7);
+  EXPECT_EQ(all.updates, 500);
+  EXPECT_THAT(command.plan.swarms, testing::IsEmpty());
+  EXPECT_THAT(command.plan.filters, testing::ElementsAre("mcl/fp"));
+  EXPECT_THAT(command.plan.searchers, testing::ElementsAre(20, 400));
+  EXPECT_EQ(command.plan.starts, all.starts);
+  EXPECT_EQ(command.json_file, "fixes.json");
+  const SwarmFixPlan one =
+      parseSwarmFixes({"w.yaml", "0.1", "--swarm", "pso", "--start", "ser"}).plan;
+  EXPECT_THAT(one.swarms, testing::ElementsAre("pso"));
+  EXPECT_THAT(one.filters, testing::IsEmpty());
+  EXPECT_THAT(one.starts, testing::ElementsAre("ser"));
+  EXPECT_THAT(refusedFixes({"w.yaml", "0.1", "--searchers", "many"}),
+              HasSubstr("--searchers: got 'many'"));
+  EXPECT_THAT(refusedFixes({"w.yaml", "0.1", "--swarm"}), HasSubstr("--swarm"));
+}
+
 TEST(SwarmCommand, HelpsWhereverItIsAsked) {
   EXPECT_TRUE(parseSwarmFunctions({"x", "--help"}).wants_help);
   EXPECT_TRUE(parseSwarmFixes({"-h"}).wants_help);

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
 
 namespace adaptive_localization {
 
@@ -14,41 +17,72 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
   plan.runs = 6;
   plan.searchers = {20, 2000};
   plan.starts = {"free", "places"};
-  plan.filters = {"amcl", "lbba"};
+  plan.filters = {"amcl", "lbba", "mcl/fp"};
   std::map<std::string, SwarmFixCell> cells;
   for (const auto& cell : raceFixes(plan)) {
-    ASSERT_EQ(cell.iterations.size(), 6u);
+    ASSERT_EQ(cell.runs.size(), 6u);
     EXPECT_LE(cell.meanIterations(), 500.0);
-    EXPECT_LT(cell.error_mm, 150.0);
-    EXPECT_GT(cell.ms_mean, 0.0);
+    for (const SwarmFixRun& run : cell.runs) {
+      EXPECT_EQ(run.is_reached, run.cost <= 0.03) << cell.core << ", seed " << run.seed;
+      EXPECT_TRUE(run.error_mm < 150.0 || !run.is_found);
+      EXPECT_GT(run.ms, 0.0);
+    }
     cells[cell.start + "/" + cell.core + "/" + std::to_string(cell.searchers)] = cell;
   }
-  EXPECT_EQ(cells.size(), 32u);
+  EXPECT_EQ(cells.size(), 34u);
   const SwarmFixCell& many = cells["free/lbba improved/2000"];
-  EXPECT_GE(many.found, cells["free/lbba improved/20"].found);
-  EXPECT_GE(many.found, 4);
+  EXPECT_GE(many.found(), cells["free/lbba improved/20"].found());
+  EXPECT_GE(many.found(), 4);
   EXPECT_LT(many.meanIterations(), cells["free/ba, right sign/2000"].meanIterations());
-  EXPECT_GE(cells["places/lbba improved/2000"].found, 5);
-  EXPECT_LT(cells["places/lbba improved/2000"].matched_mm, 15.0);
-  EXPECT_GE(cells["its own/amcl/2000"].found, 3);
-  EXPECT_GE(cells["its own/lbba/2000"].found, 5);
+  EXPECT_GE(cells["places/lbba improved/2000"].found(), 5);
+  for (const SwarmFixRun& run : cells["places/lbba improved/2000"].foundRuns())
+    EXPECT_LT(run.matched_mm, 25.0);
+  EXPECT_GE(cells["its own/amcl/2000"].found(), 3);
+  EXPECT_GE(cells["its own/lbba/2000"].found(), 5);
 }
 
 TEST(SwarmFixes, AreToldInATable) {
-  const std::string table = toTable(
-      {{"ser", "lbba improved", 20, 4, 2, 3, {1, 2, 3, 3}, 56.78, 4.56, 0.71, 1.06, 1.234, 5.678},
-       {"ser", "ba, right sign", 20, 4, 1, 1, {9, 9, 9, 4}, 60.0, 5.0, 1.0, 2.6, 2.0, 3.0}});
-  EXPECT_THAT(
-      table,
-      testing::HasSubstr(
-          "| ser | lbba improved | 20 | 75 | 50 | 2.2 | 56.8 | 4.6 / 1.1 / 0.7 | 1.23 | 5.68 |"));
+  const auto run = [](int iterations, bool is_reached, bool is_found, double matched_mm) {
+    return SwarmFixRun{1, iterations, 0.02, is_reached, is_found, matched_mm + 50, matched_mm, 1.5};
+  };
+  const SwarmFixCell leaders{"ser",
+                             "lbba improved",
+                             20,
+                             {run(1, true, true, 4.0), run(2, true, true, 5.0),
+                              run(3, false, true, 6.0), run(3, false, false, 900.0)}};
+  const SwarmFixCell bats{"ser",
+                          "ba, right sign",
+                          20,
+                          {run(9, true, true, 5.0), run(9, false, false, 70.0),
+                           run(9, false, false, 80.0), run(4, false, false, 90.0)}};
+  const std::string table = toTable({leaders, bats});
+  EXPECT_THAT(table, testing::HasSubstr("| ser | lbba improved | 20 | 75 | 50 | 2.2 | 55.0 | "
+                                        "5.0 / 1.2 / 0.8 | 1.50 | 1.50 |"));
   EXPECT_THAT(table, testing::HasSubstr("| ser | 20 | 2.2 | 7.8 | 0.05 | 0.062 |"));
 }
 
 TEST(SwarmFixes, NoErrorIsToldWhereNobodyWasFound) {
-  const std::string table =
-      toTable({{"free", "pso", 20, 2, 0, 0, {500, 500}, 0.0, 0.0, 0.0, 0.0, 1.0, 1.5}});
-  EXPECT_THAT(table, testing::HasSubstr("| free | pso | 20 | 0 | 0 | 500.0 | | | 1.00 | 1.50 |"));
+  const SwarmFixRun lost{1, 500, 0.5, false, false, 5000.0, 5000.0, 1.0};
+  const std::string table = toTable({{"free", "pso", 20, {lost, lost}}});
+  EXPECT_THAT(table, testing::HasSubstr("| free | pso | 20 | 0 | 0 | 500.0 | | | 1.00 | 1.00 |"));
+}
+
+TEST(SwarmFixes, AreKeptRunByRun) {
+  const TempFolder folder;
+  const SwarmFixRun run{7, 12, 0.025, true, true, 30.5, 4.5, 1.25};
+  saveJson({{"free", "pso", 20, {run}}}, folder.file("fixes.json"));
+  const auto json = nlohmann::json::parse(readWhole(folder.file("fixes.json")));
+  ASSERT_EQ(json.size(), 1u);
+  EXPECT_EQ(json[0]["core"], "pso");
+  EXPECT_EQ(json[0]["runs"][0], (nlohmann::json{{"seed", 7},
+                                                {"iterations", 12},
+                                                {"cost", 0.025},
+                                                {"is_reached", true},
+                                                {"is_found", true},
+                                                {"error_mm", 30.5},
+                                                {"matched_mm", 4.5},
+                                                {"ms", 1.25}}));
+  EXPECT_THROW(saveJson(std::vector<SwarmFixCell>{}, "/nosuch/fixes.json"), std::runtime_error);
 }
 
 TEST(SwarmFixes, NameTheWorldOrStartThatIsNotThere) {
@@ -58,6 +92,9 @@ TEST(SwarmFixes, NameTheWorldOrStartThatIsNotThere) {
   plan.world = SOURCE_DIR "/maps/simple/world.yaml";
   plan.resolution = 0.2;
   plan.starts = {"nowhere"};
+  EXPECT_THROW(raceFixes(plan), std::invalid_argument);
+  plan.starts = {"free"};
+  plan.swarms = {"bees"};
   EXPECT_THROW(raceFixes(plan), std::invalid_argument);
 }
 

@@ -142,9 +142,9 @@ TEST(OptionsOf, AreTheFiltersAndThoseOfEachModelThatItCanBeMadeOf) {
 TEST(Builtins, HavePresetsThatMakeFilters) {
   for (const auto& name : builtins().filters.names()) {
     const FilterDescription& filter = builtins().filters.find(name);
-    for (const auto& preset : {filter.recommended, filter.seed}) {
+    for (const auto& preset : filter.presetNames()) {
       FilterContext given = context();
-      for (const auto& [key, value] : preset) given.parameters.set(key, value);
+      for (const auto& [key, value] : filter.preset(preset)) given.parameters.set(key, value);
       EXPECT_NE(filter.make(given), nullptr) << name;
     }
   }

@@ -18,7 +18,7 @@ std::unique_ptr<Filter> makeSwarm(const std::string& name, const std::string& pr
                                   const Values& more = {}, std::uint64_t seed = 1) {
   const FilterDescription& description = builtins().filters.find(name);
   FilterContext context{builtins(), asymmetricWorld(), {}, seed};
-  for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
+  for (const auto& [key, value] : description.preset(preset)) {
     context.parameters.set(key, value);
   }
   for (const auto& [key, value] : more) context.parameters.set(key, value);

@@ -25,7 +25,7 @@ std::unique_ptr<Filter> makeFilter(const Case& which, int max_particles, std::ui
   const auto& [name, preset] = which;
   const FilterDescription& description = builtins().filters.find(name);
   FilterContext context{builtins(), asymmetricWorld(), {}, seed};
-  for (const auto& [key, value] : preset == "seed" ? description.seed : description.recommended) {
+  for (const auto& [key, value] : description.preset(preset)) {
     context.parameters.set(key, value);
   }
   context.parameters.set("min_particles", OptionValue{100});
@@ -244,6 +244,7 @@ INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter,
                          testing::Combine(testing::ValuesIn(allFilters()),
                                           testing::Values("recommended", "seed")),
                          nameOf);
+INSTANTIATE_TEST_SUITE_P(MorePresets, EveryFilter, testing::Values(Case{"mcl", "fp"}), nameOf);
 
 class GlobalLocalization : public testing::TestWithParam<const char*> {};
 

@@ -37,6 +37,12 @@ TEST(LocalizerOptions, AreRefusedByName) {
               AllOf(HasSubstr("'mlc'"), HasSubstr("amcl"), HasSubstr("mcl")));
   EXPECT_THAT(complaint(parametersWith({{"preset", std::string("best")}})),
               AllOf(HasSubstr("preset"), HasSubstr("recommended, seed")));
+  EXPECT_THAT(
+      complaint(parametersWith({{"filter", std::string("kld")}, {"preset", std::string("fp")}})),
+      AllOf(HasSubstr("'fp'"), HasSubstr("recommended, seed: those of kld")));
+  EXPECT_EQ(
+      complaint(parametersWith({{"filter", std::string("mcl")}, {"preset", std::string("fp")}})),
+      "no complaint");
   EXPECT_THAT(complaint(parametersWith({{"odom_alpha1", -1.0}})), HasSubstr("'odom_alpha1'"));
   EXPECT_THAT(complaint(parametersWith({{"seed", -1}})), HasSubstr("'seed'"));
   EXPECT_THAT(complaint(parametersWith(), toyWorld({"#?#"}, 0.1)), HasSubstr("no free cell"));

@@ -34,14 +34,14 @@ std::string contentsOf(const std::string& file) {
 }
 
 std::string fileOf(const std::string& core, const std::string& preset) {
-  return "config/filters/" + core + (preset == "seed" ? "_seed" : "") + ".yaml";
+  return "config/filters/" + core + (preset == "recommended" ? "" : "_" + preset) + ".yaml";
 }
 
 /// Calls check(core, preset) for all there are.
 template <class Check>
 void forEachPreset(const Check& check) {
   for (const auto& core : builtins().filters.names()) {
-    for (const std::string preset : {"recommended", "seed"}) check(core, preset);
+    for (const auto& preset : builtins().filters.find(core).presetNames()) check(core, preset);
   }
 }
 

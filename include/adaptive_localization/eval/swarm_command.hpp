@@ -19,6 +19,7 @@ struct SwarmFunctionsCommand {
 /// What the user asked `swarm_fixes` for.
 struct SwarmFixesCommand {
   SwarmFixPlan plan;
+  std::string json_file;
   bool wants_help{false};
 };
 

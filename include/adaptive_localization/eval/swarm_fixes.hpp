@@ -18,21 +18,30 @@ struct SwarmRacer {
 /// The bat algorithm as printed, with the right sign and improved, the leader-based one as printed,
 /// improved and without its leaps along one axis, and the particle swarm.
 std::vector<SwarmRacer> swarmRacers();
+std::vector<std::string> swarmNames();
+/// Those of these names, in this order. Throws std::invalid_argument naming the unknown one.
+std::vector<SwarmRacer> swarmRacers(const std::vector<std::string>& names);
+
+/// What came of one search.
+struct SwarmFixRun {
+  int seed{0};
+  int iterations{0};       // of a filter: updates
+  double cost{0.0};        // at the end, of the answer: the mean relative deviation of 11 beams
+  bool is_reached{false};  // the tolerance
+  bool is_found{false};    // within 0.15 m and 5 degrees
+  double error_mm{0.0};    // of position
+  double matched_mm{0.0};  // the same, once the scan is matched with the plan's walls
+  double ms{0.0};
+};
 
 /// Fixes from one kind of start by one kind of swarm, or filter, of one size.
 struct SwarmFixCell {
   std::string start, core;
   int searchers{0};
-  int runs{0};
-  int reached{0};                 // the tolerance
-  int found{0};                   // within 0.15 m and 5 degrees
-  std::vector<int> iterations{};  // of each run, by seed; of a filter: updates
-  double error_mm{0.0};           // mean of those found
-  double matched_mm{0.0};       // mean of the same, once the scan is matched with the plan's walls
-  double matched_std_mm{0.0};   // standard deviation of these
-  double matched_ic99_mm{0.0};  // half the 99 % interval of their mean, 2.58 sigma / sqrt(n)
-  double ms_median{0.0}, ms_mean{0.0};  // of all runs
+  std::vector<SwarmFixRun> runs{};  // by seed
 
+  int found() const;
+  std::vector<SwarmFixRun> foundRuns() const;
   double meanIterations() const;
 };
 
@@ -43,7 +52,10 @@ struct SwarmFixPlan {
   int first_seed{1};
   std::vector<int> searchers{20, 400, 800, 1200, 1600, 2000};
   std::vector<std::string> starts{"free", "ser", "places"};  // as the option `elsewhere`
+  /// With the recommended preset, or another after a slash: lbba/seed.
   std::vector<std::string> filters{"lbba", "ba", "pso", "amcl", "sa_kld"};
+  std::vector<std::string> swarms{swarmNames()};
+  int updates{500};  // of a filter, at the most
   bool is_torus{false};
 };
 
@@ -54,6 +66,10 @@ struct SwarmFixPlan {
 /// with scan after scan from the same place, until their estimate is as good; swarms among them
 /// match scans with the plan's walls. On one thread; what is made once for a map is not timed.
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan);
+
+/// A list of objects of start, core, searchers and runs, with SwarmFixRun's members.
+/// Throws std::runtime_error naming the file.
+void saveJson(const std::vector<SwarmFixCell>& cells, const std::string& file);
 
 /// In Markdown; at the end, for each start and number, how likely the improved leaders need fewer
 /// iterations than the bats with the right sign by chance only.

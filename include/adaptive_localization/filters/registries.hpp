@@ -21,6 +21,12 @@ struct FilterDescription {
   std::vector<OptionDescription> options;  // all that make() reads but the options of models
   std::map<std::string, OptionValue> recommended;
   std::map<std::string, OptionValue> seed;  // the literature's form, for comparison
+  std::map<std::string, std::map<std::string, OptionValue>> more_presets{};  // of other works
+
+  /// "recommended", "seed" and the further ones.
+  std::vector<std::string> presetNames() const;
+  /// Throws std::invalid_argument naming the option, the name and those that this core has.
+  const std::map<std::string, OptionValue>& preset(const std::string& of) const;
 };
 
 /// All that is chosen by name.

@@ -26,8 +26,9 @@ struct LocalizerOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("filter", filter, Choices{}, "Filter core, by name.");
-    option("preset", preset, Choices{"recommended", "seed"},
-           "Values of options that are not given: what we recommend, or the literature's.");
+    option("preset", preset, Choices{"recommended", "seed", "fp"},
+           "Values of options that are not given: what we recommend, or the literature's; fp, of "
+           "mcl, is the particle filter that swarms were compared with.");
     option("plugins", plugins, Choices{},
            "Shared libraries with filter cores and models of your own, separated by colons.");
     option("seed", seed, kWhole, "", "Seed of all randomness.");
