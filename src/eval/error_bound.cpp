@@ -24,8 +24,9 @@ double sigmaOf(const LaserOptions& laser) {
 
 std::vector<double> bearingsOf(const LaserOptions& laser) {
   std::vector<double> bearings;
-  const double increment = kPi / (laser.laser_beams - 1);
-  for (int i = 0; i < laser.laser_beams; ++i) bearings.push_back(-kPi / 2.0 + i * increment);
+  const double view = kPi * (laser.laser_view / 180.0);
+  const double increment = view / (laser.laser_beams - 1);
+  for (int i = 0; i < laser.laser_beams; ++i) bearings.push_back(-view / 2.0 + i * increment);
   return bearings;
 }
 
@@ -112,8 +113,8 @@ void DriveBound::predict(const Pose2& T_map_base) {
 
 ScanBounds DriveBound::scan(const Pose2& T_map_base) {
   predict(T_map_base);
-  const Matrix3d seen = rangeInformation(*world_, T_map_base, {laser_.laser_x, 0.0, 0.0}, bearings_,
-                                         laser_.laser_max_range, sigma_);
+  const Matrix3d seen = rangeInformation(*world_, T_map_base, laserMounts(laser_).front(),
+                                         bearings_, laser_.laser_max_range, sigma_);
   information_ += seen;
   return {boundOf(seen + anywhere()), boundOf(information_)};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace adaptive_localization {
 namespace {
@@ -102,7 +103,19 @@ BaseVelocity ExperimentDrive::velocityUntil(const Pose2& T_odom_base) const {
   return {motion.x / scan_period_, motion.y / scan_period_, motion.theta / scan_period_};
 }
 
+/// What is true of a scan that was taken now.
+DriveScan ExperimentDrive::sight(LaserScan scan) const {
+  DriveScan sight;
+  sight.scan = std::move(scan);
+  sight.scan.stamp = time();
+  sight.T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
+  sight.velocity = velocityUntil(sight.T_odom_base);
+  sight.T_map_base = truth();
+  return sight;
+}
+
 std::optional<DriveScan> ExperimentDrive::next() {
+  if (second_) return std::exchange(second_, std::nullopt);
   while (time() < duration_ - kSoon) {
     const bool was_carried = carry_.has_value();
     if (!was_carried) startDueEvents();
@@ -114,14 +127,13 @@ std::optional<DriveScan> ExperimentDrive::next() {
     Sensed sensed = simulation_.step();
     if (has_mission_) mission_.observe(simulation_, sensed.scan.has_value());
     if (!sensed.scan) continue;
-    DriveScan scan;
-    scan.scan = last_scan_ = std::move(*sensed.scan);
-    scan.scan = blocked(std::move(scan.scan));
-    scan.scan.stamp = time();
-    scan.T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
-    scan.velocity = velocityUntil(scan.T_odom_base);
+    last_scan_ = *sensed.scan;
+    DriveScan scan = sight(blocked(std::move(*sensed.scan)));
+    if (sensed.second_scan) {
+      second_ = sight(blocked(std::move(*sensed.second_scan)));
+      second_->laser = 1;
+    }
     T_odom_last_scan_ = scan.T_odom_base;
-    scan.T_map_base = truth();
     scan.put_down = put_down_;
     put_down_.reset();
     return scan;
@@ -174,40 +186,6 @@ void ExperimentDrive::putDown() {
   T_odom_wheels_ = T_odom_base * inverse(simulation_.odometry().T_odom_base);
   put_down_ = time();
   carry_.reset();
-}
-
-LaserScan ExperimentDrive::carriedReadings() {
-  LaserScan scan = last_scan_;
-  scan.stamp = time();
-  for (float& range : scan.ranges) {
-    const double any = rng_.uniform();
-    range = static_cast<float>(rng_.uniform(0.05, 0.4));
-    if (!carry_->is_garbage) continue;
-    range = static_cast<float>(rng_.uniform(0.05, 8.0));
-    if (any < 0.1) range = std::numeric_limits<float>::infinity();
-    if (any > 0.9) range = std::numeric_limits<float>::quiet_NaN();
-  }
-  return scan;
-}
-
-/// What stands before a beam is nearer than what the beam would have met.
-LaserScan ExperimentDrive::blocked(LaserScan scan) {
-  const double count = static_cast<double>(scan.ranges.size());
-  for (const auto& due : due_) {
-    if (due.event.what != ExperimentEvent::What::kBlock) continue;
-    if (time() < due.at || time() >= due.at + due.event.duration) continue;
-    const double first = due.first_bearing * (1.0 - due.event.share);
-    for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-      const double place = (static_cast<double>(i) + 0.5) / count - first;
-      const bool is_hit = due.event.is_sector ? place >= 0.0 && place < due.event.share
-                                              : rng_.uniform() < due.event.share;
-      if (!is_hit) continue;
-      const double limit = std::isfinite(scan.ranges[i]) ? scan.ranges[i] : 4.0;
-      scan.ranges[i] =
-          static_cast<float>(limit * rng_.uniform(due.event.is_sector ? 0.4 : 0.05, 0.9));
-    }
-  }
-  return scan;
 }
 
 }  // namespace adaptive_localization

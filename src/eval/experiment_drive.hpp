@@ -11,6 +11,7 @@ namespace adaptive_localization {
 /// One scan of a drive with all that is true of it.
 struct DriveScan {
   LaserScan scan;
+  std::size_t laser{0};  // which one took it
   Pose2 T_odom_base;
   BaseVelocity velocity;            // by odometry, since the scan before
   std::optional<Pose2> T_map_base;  // none while the robot is off the floor
@@ -35,7 +36,7 @@ class ExperimentDrive {
 
   const Pose2& truth() const { return simulation_.truth(); }  // T_map_base
   const Pose2& told() const { return told_; }                 // of the start, for T_map_base
-  Pose2 laserMount() const { return simulation_.laserMount(); }
+  const std::vector<Pose2>& laserMounts() const { return simulation_.laserMounts(); }
 
  private:
   struct Due {
@@ -59,6 +60,7 @@ class ExperimentDrive {
   void start(const ExperimentEvent& event);
   DriveScan carriedScan();
   void putDown();
+  DriveScan sight(LaserScan scan) const;
   LaserScan blocked(LaserScan scan);
   LaserScan carriedReadings();
 
@@ -73,6 +75,7 @@ class ExperimentDrive {
   Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
   std::optional<double> put_down_;
   LaserScan last_scan_;
+  std::optional<DriveScan> second_;  // the second laser's, to be told next
   Pose2 T_odom_last_scan_;
   Pose2 told_;
   MissionRecord mission_;

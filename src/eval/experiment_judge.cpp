@@ -69,7 +69,10 @@ void ExperimentJudge::observe(const JudgedScan& scan) {
     if (result_.updates++ == 0) result_.particles_first = scan.particles;
     times_.push_back(scan.update_ms);
     counts_.push_back(scan.particles);
+    result_.looks_elsewhere += scan.answer.estimate.share_elsewhere > 0.0;
   }
+  while (scan.stamp + kSoon >= static_cast<double>(result_.particles_by_s.size()))
+    result_.particles_by_s.push_back(scan.particles);
   noteAlarms(scan);
   noteModes(scan);
   if (scan.T_map_base) {

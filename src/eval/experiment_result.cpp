@@ -81,6 +81,8 @@ void visitResult(Stored& result, Item&& item) {
   item("particles_first", result.particles_first);
   item("particles_mean", result.particles_mean);
   item("particles_max", result.particles_max);
+  item("particles_by_s", result.particles_by_s);
+  item("looks_elsewhere", result.looks_elsewhere);
   item("update_ms_median", result.update_ms_median);
   item("update_ms_max", result.update_ms_max);
   item("both_share", result.both_share);

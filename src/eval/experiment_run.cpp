@@ -80,7 +80,8 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
                                const ExperimentCore& core, int seed) {
   ExperimentDrive drive(site, of_case, seed);
   const auto localizer = makeLocalizer(site, core, seed);
-  const LaserMount mount = LaserMount::level(drive.laserMount());
+  std::vector<LaserMount> mounts;
+  for (const Pose2& mount : drive.laserMounts()) mounts.push_back(LaserMount::level(mount));
   ExperimentJudge judge(of_case);
   judge.begin(startOf(of_case), 0.0, drive.truth());
   const Prior prior = priorOf(of_case, drive.told());
@@ -89,7 +90,7 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
   while (const auto seen = drive.next()) {
     if (seen->is_lifted) judge.lift();
     if (seen->put_down) judge.begin(Trial::Kind::kKidnap, *seen->put_down, drive.truth());
-    JudgedScan judged = update(*localizer, *seen, mount);
+    JudgedScan judged = update(*localizer, *seen, mounts[seen->laser]);
     if (bound && seen->put_down) bound->restart();
     if (bound && seen->T_map_base) judged.bounds = bound->scan(*seen->T_map_base);
     judge.observe(judged);

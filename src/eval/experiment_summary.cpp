@@ -156,6 +156,14 @@ void addEffort(const Results& runs, ExperimentSummary& row) {
   row.particles_first = mean(valuesOf(runs, &R::particles_first));
   row.particles_mean = mean(valuesOf(runs, &R::particles_mean));
   row.particles_max = static_cast<int>(largest(valuesOf(runs, &R::particles_max)));
+  row.looks_elsewhere = mean(valuesOf(runs, &R::looks_elsewhere));
+  const auto lasts = [](const R& run) { return run.particles_by_s.size(); };
+  const auto seconds = static_cast<std::size_t>(largest(valuesOf(runs, lasts)));
+  for (std::size_t i = 0; i < seconds; ++i) {
+    const Results longer = those(runs, [&](const R& run) { return run.particles_by_s.size() > i; });
+    row.particles_by_s.push_back(
+        mean(valuesOf(longer, [&](const R& run) { return run.particles_by_s[i]; })));
+  }
   row.update_ms_median = quantile(valuesOf(runs, &R::update_ms_median), 0.5);
   row.update_ms_max = largest(valuesOf(runs, &R::update_ms_max));
 }

@@ -80,8 +80,11 @@ nlohmann::json toJson(const ExperimentSummary& row) {
                      {"arrivals_per_min", row.arrivals_per_min},
                      {"way_error_median_m", row.way_error_median_m}};
   json["accuracy"] = toJson(row.accuracy);
-  json["particles"] = {
-      {"first", row.particles_first}, {"mean", row.particles_mean}, {"max", row.particles_max}};
+  json["particles"] = {{"first", row.particles_first},
+                       {"mean", row.particles_mean},
+                       {"max", row.particles_max},
+                       {"by_s", row.particles_by_s}};
+  json["looks_elsewhere"] = row.looks_elsewhere;
   json["update_ms"] = {{"median", row.update_ms_median}, {"max", row.update_ms_max}};
   return json;
 }

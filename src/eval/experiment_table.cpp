@@ -167,6 +167,8 @@ std::vector<std::pair<std::string, Cell>> costColumns() {
          return fixed(r.particles_first, 0) + ", " + fixed(r.particles_mean, 0) + ", " +
                 std::to_string(r.particles_max);
        }},
+      {"looks elsewhere per run",
+       [](const Row& r) { return r.looks_elsewhere > 0.0 ? fixed(r.looks_elsewhere, 1) : ""; }},
       {"ms per update: median, most",
        [](const Row& r) {
          return fixed(r.update_ms_median, 2) + ", " + fixed(r.update_ms_max, 1);

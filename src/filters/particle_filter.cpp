@@ -60,13 +60,16 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
   }
   const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = weights.log();
-  const Estimate estimate = summarize(particles_, weights);
+  Estimate estimate = summarize(particles_, weights);
 
   if (isOnePlace(estimate)) anywhere_ = false;
 
   const double elsewhere = parts_.exploration->share();
   if (elsewhere > 0.0) parts_.elsewhere->condition(observations);  // this may be dear
-  if (resamplingIsDue(weights, elsewhere)) resample(weights, elsewhere);
+  if (resamplingIsDue(weights, elsewhere)) {
+    resample(weights, elsewhere);
+    estimate.share_elsewhere = elsewhere;
+  }
   return estimate;
 }
 

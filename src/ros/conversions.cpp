@@ -84,6 +84,19 @@ LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
   return scan;
 }
 
+sensor_msgs::LaserScan toMessage(const LaserScan& scan) {
+  sensor_msgs::LaserScan message;
+  const auto last = static_cast<double>(scan.ranges.size() - 1);
+  message.angle_min = static_cast<float>(scan.angle_min);
+  message.angle_max = static_cast<float>(scan.angle_min + last * scan.angle_increment);
+  message.angle_increment = static_cast<float>(scan.angle_increment);
+  message.time_increment = static_cast<float>(scan.time_increment);
+  message.range_min = static_cast<float>(scan.range_min);
+  message.range_max = static_cast<float>(scan.range_max);
+  message.ranges = scan.ranges;
+  return message;
+}
+
 OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message, bool origin_is_cell_center) {
   checkLevel(message.info.origin.orientation);
   const auto resolution = static_cast<double>(message.info.resolution);

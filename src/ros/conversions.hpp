@@ -27,6 +27,8 @@ void checkPlace(const std::string& frame, const std::string& parent, double x, d
                 double most);
 
 LaserScan toLaserScan(const sensor_msgs::LaserScan& message);
+/// Without header and scan_time.
+sensor_msgs::LaserScan toMessage(const LaserScan& scan);
 
 /// Throws std::invalid_argument for a size, resolution or origin that makes no map.
 /// The origin is the corner of cell (0, 0), as the message says, or its centre, as some mappers

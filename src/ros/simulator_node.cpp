@@ -48,6 +48,7 @@ nav_msgs::Odometry toMessage(const Pose2& pose, const Velocity& velocity) {
   nav_msgs::Odometry message;
   message.pose.pose = toPoseMessage(pose);
   message.twist.twist.linear.x = velocity.forward;
+  message.twist.twist.linear.y = velocity.aside;
   message.twist.twist.angular.z = velocity.turn;
   return message;
 }
@@ -69,11 +70,9 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   scan_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
-  if (options_.publish_laser_tf) publishLaserFrame();
-  if (options_.lock_step) {
-    transforms_ = subscribe<tf2_msgs::TFMessage>(
-        node, "/tf", kQueue, [this](const auto& message) { onTransforms(*message); });
-  }
+  if (options_.publish_laser_tf) publishLaserFrames();
+  transforms_ = subscribe<tf2_msgs::TFMessage>(
+      node, "/tf", kQueue, [this](const auto& message) { onTransforms(*message); });
   command_ = subscribe<geometry_msgs::Twist>(node, "cmd_vel", 1,
                                              [this](const auto& message) { onCommand(*message); });
   kidnap_ = subscribe<geometry_msgs::PoseStamped>(
@@ -117,6 +116,7 @@ bool SimulatorNode::mustWait() const {
 void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
   for (const auto& transform : message.transforms) {
     if (withoutLeadingSlash(transform.header.frame_id) != options_.global_frame_id) continue;
+    simulation_.localize(toPose2(transform.transform));
     localized_ = transform.header.stamp;
     localized_at_ = ros::WallTime::now();
   }
@@ -126,7 +126,8 @@ void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
 void SimulatorNode::publish(const Sensed& sensed) {
   if (sensed.odometry) publishOdometry(*sensed.odometry);
   if (!sensed.scan) return;
-  publishScan(*sensed.scan);
+  publishScan(*sensed.scan, options_.laser_frame);
+  if (sensed.second_scan) publishScan(*sensed.second_scan, options_.second_laser_frame);
   if (markers_.getNumSubscribers() > 0) publishMarkers();
 }
 
@@ -150,19 +151,11 @@ void SimulatorNode::publishOdometry(const OdometryReading& reading) {
   truth_.publish(message);
 }
 
-void SimulatorNode::publishScan(const LaserScan& scan) {
-  sensor_msgs::LaserScan message;
+void SimulatorNode::publishScan(const LaserScan& scan, const std::string& frame) {
+  sensor_msgs::LaserScan message = toMessage(scan);
   message.header.stamp = toRosTime(scan.stamp);
-  message.header.frame_id = options_.laser_frame;
-  const auto last = static_cast<double>(scan.ranges.size() - 1);
-  message.angle_min = static_cast<float>(scan.angle_min);
-  message.angle_max = static_cast<float>(scan.angle_min + last * scan.angle_increment);
-  message.angle_increment = static_cast<float>(scan.angle_increment);
-  message.time_increment = static_cast<float>(scan.time_increment);
+  message.header.frame_id = frame;
   message.scan_time = 1.0F / 75.0F;
-  message.range_min = static_cast<float>(scan.range_min);
-  message.range_max = static_cast<float>(scan.range_max);
-  message.ranges = scan.ranges;
   scan_.publish(message);
 }
 
@@ -173,18 +166,23 @@ void SimulatorNode::publishMarkers() {
   markers_.publish(truthMarkers(header, simulation_.truth(), simulation_.people()));
 }
 
-void SimulatorNode::publishLaserFrame() {
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = epoch_;
-  transform.header.frame_id = options_.base_frame_id;
-  transform.child_frame_id = options_.laser_frame;
-  transform.transform = toTransformMessage(simulation_.laserMount());
-  transform.transform.translation.z = options_.laser_z;
-  static_tf_.sendTransform(transform);
+void SimulatorNode::publishLaserFrames() {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (const Pose2& mount : simulation_.laserMounts()) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = epoch_;
+    transform.header.frame_id = options_.base_frame_id;
+    transform.child_frame_id =
+        transforms.empty() ? options_.laser_frame : options_.second_laser_frame;
+    transform.transform = toTransformMessage(mount);
+    transform.transform.translation.z = options_.laser_z;
+    transforms.push_back(transform);
+  }
+  static_tf_.sendTransform(transforms);
 }
 
 void SimulatorNode::onCommand(const geometry_msgs::Twist& message) {
-  simulation_.command({message.linear.x, message.angular.z});
+  simulation_.command({message.linear.x, message.angular.z, message.linear.y});
 }
 
 void SimulatorNode::onKidnap(const geometry_msgs::PoseStamped& message) {

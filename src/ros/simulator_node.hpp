@@ -22,6 +22,7 @@ struct SimulatorNodeOptions {
   bool publish_laser_tf{true};
   double laser_z{0.30};
   std::string laser_frame{"laser"};
+  std::string second_laser_frame{"laser_2"};
   std::string odom_frame_id{"odom"};
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
@@ -39,6 +40,7 @@ struct SimulatorNodeOptions {
            "Publish the laser's place on /tf_static; off where a robot_state_publisher does.");
     option("laser_z", laser_z, Range{-10, 10}, "m", "The laser's height above the floor.");
     option("laser_frame", laser_frame, Choices{}, "Frame of the scans.");
+    option("second_laser_frame", second_laser_frame, Choices{}, "The same of the second laser.");
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the truth.");
@@ -59,9 +61,9 @@ class SimulatorNode {
   void advance();
   void publish(const Sensed& sensed);
   void publishOdometry(const OdometryReading& reading);
-  void publishScan(const LaserScan& scan);
+  void publishScan(const LaserScan& scan, const std::string& frame);
   void publishMarkers();
-  void publishLaserFrame();
+  void publishLaserFrames();
   bool mustWait() const;
   void onTransforms(const tf2_msgs::TFMessage& message);
   void onCommand(const geometry_msgs::Twist& message);

@@ -14,25 +14,29 @@ double clampTo(double value, double limit) {
 }  // namespace
 
 void DriveBase::command(const Velocity& wanted, double now) {
-  if (!std::isfinite(wanted.forward) || !std::isfinite(wanted.turn)) return;
+  if (!std::isfinite(wanted.forward + wanted.turn + wanted.aside)) return;
   wanted_ = {clampTo(wanted.forward, options_.max_speed),
-             clampTo(wanted.turn, options_.max_turn_rate)};
+             clampTo(wanted.turn, options_.max_turn_rate),
+             options_.base == "omni" ? clampTo(wanted.aside, options_.max_speed) : 0.0};
   commanded_at_ = now;
 }
 
 const Velocity& DriveBase::step(double now, double dt) {
   const Velocity goal = now - commanded_at_ <= options_.cmd_vel_timeout ? wanted_ : Velocity{};
   velocity_.forward += clampTo(goal.forward - velocity_.forward, options_.max_accel * dt);
+  velocity_.aside += clampTo(goal.aside - velocity_.aside, options_.max_accel * dt);
   velocity_.turn += clampTo(goal.turn - velocity_.turn, options_.max_turn_accel * dt);
   return velocity_;
 }
 
 Pose2 arc(const Velocity& velocity, double dt) {
   const double angle = velocity.turn * dt;
-  const double length = velocity.forward * dt;
-  if (std::abs(angle) < 1e-9) return {length, 0.0, angle};
-  const double radius = length / angle;
-  return {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), wrapAngle(angle)};
+  const double length = velocity.forward * dt, aside = velocity.aside * dt;
+  if (std::abs(angle) < 1e-9) return {length, aside, angle};
+  const double radius = length / angle, radius_aside = aside / angle;
+  const double sine = std::sin(angle), rest = 1.0 - std::cos(angle);
+  return {radius * sine - radius_aside * rest, radius * rest + radius_aside * sine,
+          wrapAngle(angle)};
 }
 
 }  // namespace adaptive_localization

@@ -23,8 +23,17 @@ bool isGrazing(double left, double middle, double right) {
 
 }  // namespace
 
-Laser::Laser(const LaserOptions& options, Rng rng)
-    : options_(options), rng_(rng), bias_(rng_.uniform(-options.laser_bias, options.laser_bias)) {}
+std::vector<Pose2> laserMounts(const LaserOptions& options) {
+  const Pose2 first{options.laser_x, options.laser_y, options.laser_yaw};
+  if (options.lasers == 1) return {first};
+  return {first, Pose2{0.0, 0.0, kPi} * first};
+}
+
+Laser::Laser(const LaserOptions& options, const Pose2& T_base_laser, Rng rng)
+    : options_(options),
+      T_base_laser_(T_base_laser),
+      rng_(rng),
+      bias_(rng_.uniform(-options.laser_bias, options.laser_bias)) {}
 
 float Laser::measure(const Pose2& T_map_ray, const Caster& cast) {
   const double limit = options_.laser_max_range;
@@ -54,9 +63,10 @@ LaserScan Laser::scan(const Pose2& T_map_base, const Caster& cast, const Velocit
   constexpr double kTurnsPerSecond = 75.0;
   const double degree = kPi / 180.0;
   LaserScan scan;
-  scan.angle_min = -kPi / 2.0;
+  const double view = kPi * (options_.laser_view / 180.0);
+  scan.angle_min = -view / 2.0;
   int beams = options_.laser_beams;
-  scan.angle_increment = kPi / (beams - 1);
+  scan.angle_increment = view / (beams - 1);
   if (options_.laser_interlaced) {
     beams = second_half_ ? 180 : 181;
     scan.angle_min = second_half_ ? -89.5 * degree : -90.0 * degree;

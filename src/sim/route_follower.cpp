@@ -22,11 +22,11 @@ double length(const std::vector<Eigen::Vector2d>& way) {
 
 RouteFollower::RouteFollower(std::shared_ptr<const FreeSpace> free_space,
                              std::vector<Eigen::Vector2d> route, const RouteOptions& options,
-                             Rng rng)
+                             bool is_omni, Rng rng)
     : free_space_(std::move(free_space)),
       route_(std::move(route)),
       options_(options),
-      follower_(free_space_, options) {
+      follower_(free_space_, options, is_omni) {
   constexpr int kRandomPlaces = 8;
   while (route_.size() < 2) route_.push_back(free_space_->sample(rng));
   if (route_.size() == 2) {
@@ -93,7 +93,9 @@ Velocity RouteFollower::steer(const Pose2& T_map_base, const std::vector<Eigen::
     backing_ = kBackOff;
     proceed(here);
   }
-  return wanted.forward > 0.0 && isBlocked(T_map_base, people) ? Velocity{} : wanted;
+  return std::hypot(wanted.forward, wanted.aside) > 0.0 && isBlocked(T_map_base, people)
+             ? Velocity{}
+             : wanted;
 }
 
 }  // namespace adaptive_localization

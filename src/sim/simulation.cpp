@@ -10,7 +10,7 @@ namespace adaptive_localization {
 namespace {
 
 /// Streams of randomness, one per part, so that more people do not change the laser's noise.
-enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute };
+enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams };
 
 Pose2 parsePose(const std::string& text) {
   std::istringstream in(text);
@@ -63,14 +63,19 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       free_space_(freeSpace(site, options)),
       rng_(static_cast<std::uint64_t>(options.seed)),
       base_(options.base),
-      odometry_(options.odometry, rng_.split(kWheels)),
-      laser_(options.laser, rng_.split(kBeams)),
+      odometry_(options.odometry, options.base.base == "omni", rng_.split(kWheels)),
+      laser_mounts_(adaptive_localization::laserMounts(options.laser)),
       people_(free_space_, options.people, rng_.split(kWalks)),
-      driver_(free_space_, site.route, options.route, rng_.split(kRoute)),
+      driver_(free_space_, site.route, options.route, options.base.base == "omni",
+              rng_.split(kRoute)),
       start_(chooseStart(site, options.start)),
       T_map_base_(start_),
       scans_(options.scan_rate),
-      readings_(options.odom_rate) {}
+      readings_(options.odom_rate) {
+  for (const Pose2& mount : laser_mounts_) {
+    lasers_.emplace_back(options.laser, mount, rng_.split(lasers_.empty() ? kBeams : kMoreBeams));
+  }
+}
 
 Pose2 Simulation::chooseStart(const Site& site, const std::string& text) {
   if (text == "random" || (text.empty() && !site.start)) return randomPose();
@@ -105,8 +110,9 @@ Sensed Simulation::step() {
     sensed.odometry = {*due, odometry_.pose(*due - time()), odometry_.velocity()};
   }
   if (const auto due = scans_.beat(time())) scan(*due);
-  if (!on_the_wire_.empty() && on_the_wire_.front().stamp <= time() + kStep / 2.0) {
-    sensed.scan = std::move(on_the_wire_.front());
+  if (!on_the_wire_.empty() && on_the_wire_.front().scan->stamp <= time() + kStep / 2.0) {
+    sensed.scan = std::move(on_the_wire_.front().scan);
+    sensed.second_scan = std::move(on_the_wire_.front().second_scan);
     on_the_wire_.pop_front();
   }
   return sensed;
@@ -155,9 +161,15 @@ void Simulation::scan(double time) {
     return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
   };
   const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
-  LaserScan scan = laser_.scan(T_map_base, cast, base_.velocity());
-  scan.stamp = time + options_.laser.laser_latency;
-  on_the_wire_.push_back(std::move(scan));
+  std::vector<LaserScan> scans;
+  for (Laser& laser : lasers_) {
+    scans.push_back(laser.scan(T_map_base, cast, base_.velocity()));
+    scans.back().stamp = time + options_.laser.laser_latency;
+  }
+  Sensed taken;
+  taken.scan = std::move(scans.front());
+  if (scans.size() > 1) taken.second_scan = std::move(scans.back());
+  on_the_wire_.push_back(std::move(taken));
 }
 
 void Simulation::kidnap(const Pose2& T_map_base) {

@@ -62,11 +62,12 @@ Velocity WayFollower::steer(const Pose2& T_map_base, double dt) {
   const double wanted =
       options_.route_p * aside + options_.route_i * integral_ + options_.route_d * change;
   const double turn = std::clamp(wanted, -options_.route_turn_rate, options_.route_turn_rate);
-  if (std::abs(aside) > kTurnFirst) return {0.0, turn};
+  if (std::abs(aside) > kTurnFirst && !is_omni_) return {0.0, turn};
   double speed = options_.route_speed;
   if (options_.route_brakes) {
     speed = std::min(speed, std::max(kCreep, kBraking * (way_.back() - here).norm()));
   }
+  if (is_omni_) return {speed * std::cos(aside), turn, speed * std::sin(aside)};
   return {speed * (1.0 - std::abs(aside) / kTurnFirst), turn};
 }
 

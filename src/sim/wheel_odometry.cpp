@@ -43,17 +43,42 @@ double WheelOdometry::slip(double turn_rate, double dt) {
 }
 
 void WheelOdometry::step(const Velocity& velocity, double dt) {
-  const double half_turn = velocity.turn * options_.odom_axle / 2.0 * slip(velocity.turn, dt);
-  // A larger wheel turns less for the same way, so the encoder sees less of it.
+  const double slipping = slip(velocity.turn, dt);
+  measured_ =
+      is_omni_ ? measuredByFour(velocity, slipping, dt) : measuredByTwo(velocity, slipping, dt);
+  T_odom_base_ = T_odom_base_ * arc(measured_, dt);
+}
+
+/// A larger wheel turns less for the same way, so the encoder sees less of it.
+Velocity WheelOdometry::measuredByTwo(const Velocity& velocity, double slipping, double dt) {
+  const double half_turn = velocity.turn * options_.odom_axle / 2.0 * slipping;
   const double unequal = (options_.odom_wheel_ratio - 1.0) / 2.0;
   double left = (velocity.forward - half_turn) * dt / (1.0 - unequal);
   double right = (velocity.forward + half_turn) * dt / (1.0 + unequal);
   left += noise(left);
   right += noise(right);
-
   const double assumed_axle = options_.odom_axle / options_.odom_axle_ratio;
-  measured_ = {(left + right) / 2.0 / dt, (right - left) / assumed_axle / dt};
-  T_odom_base_ = T_odom_base_ * arc(measured_, dt);
+  return {(left + right) / 2.0 / dt, (right - left) / assumed_axle / dt};
+}
+
+/// Rollers at 45 degrees: a wheel's way is that forward, and that aside with one sign at the front
+/// left and the rear right, the other at the others; in a turn, lever times the angle.
+Velocity WheelOdometry::measuredByFour(const Velocity& velocity, double slipping, double dt) {
+  const double lever = options_.odom_axle;  // half the distance along and half of that across
+  const double turn = lever * velocity.turn * slipping;
+  const double unequal = (options_.odom_wheel_ratio - 1.0) / 2.0;
+  const auto way = [&](double sideways, double turning, double radius) {
+    const double exact = (velocity.forward + sideways + turning) * dt / radius;
+    return exact + noise(exact);
+  };
+  const double front_left = way(-velocity.aside, -turn, 1.0 - unequal);
+  const double rear_left = way(velocity.aside, -turn, 1.0 - unequal);
+  const double front_right = way(velocity.aside, turn, 1.0 + unequal);
+  const double rear_right = way(-velocity.aside, turn, 1.0 + unequal);
+  const double assumed = lever / options_.odom_axle_ratio;
+  return {(front_left + rear_left + front_right + rear_right) / 4.0 / dt,
+          (front_right + rear_right - front_left - rear_left) / 4.0 / assumed / dt,
+          (rear_left + front_right - front_left - rear_right) / 4.0 / dt};
 }
 
 Pose2 WheelOdometry::firmwarePose(double after) const {

@@ -19,6 +19,7 @@ class Judge : public testing::Test {
       scan.answer.confidence = confidence_;
       scan.answer.updated = true;
       scan.answer.modes = modes_;
+      scan.answer.estimate.share_elsewhere = share_elsewhere_;
       scan.particles = 10 * count_;
       scan.update_ms = count_;
       judge_.observe(scan);
@@ -34,11 +35,21 @@ class Judge : public testing::Test {
   }();
   ExperimentJudge judge_{case_};
   std::vector<Mode> modes_;
-  double confidence_{0.0};
+  double confidence_{0.0}, share_elsewhere_{0.0};
   int count_{0};
 };
 
 constexpr Pose2 Judge::kRight, Judge::kNearly, Judge::kWrong;
+
+TEST_F(Judge, NotesParticlesSecondBySecondAndHowOftenTheyAreDrawnElsewhere) {
+  judge_.begin(Trial::Kind::kStart, 0.0, {});
+  see(kRight, Status::kTracking, 11);
+  share_elsewhere_ = 0.3;
+  see(kRight, Status::kTracking, 12);
+  const auto result = judge_.finish();
+  EXPECT_EQ(result.looks_elsewhere, 12);
+  EXPECT_EQ(result.particles_by_s, (std::vector<int>{10, 100, 200}));
+}
 
 TEST_F(Judge, CountsTheRobotAsFoundFromTheFirstOfThreeRightScans) {
   judge_.begin(Trial::Kind::kStart, 0.0, {});

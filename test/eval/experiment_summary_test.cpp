@@ -122,6 +122,22 @@ TEST(ExperimentSummary, AddsUpJumpsAndCalibration) {
   EXPECT_EQ(calibration.at("share").at(9), 0.9);
 }
 
+TEST(ExperimentSummary, TellsHowManyParticlesThereWereAndHowOftenTheyWereDrawnElsewhere) {
+  auto runs = tenRuns("kld");
+  for (auto& run : runs) {
+    run.looks_elsewhere = run.id.seed == 2 ? 5 : 1;
+    run.particles_by_s = {5000, 300};
+  }
+  runs.front().particles_by_s = {1000, 200, 100};  // a longer run
+  const ExperimentSummary row = summarize(runs).front();
+  EXPECT_THAT(row.particles_by_s, testing::ElementsAre(4600.0, 290.0, 100.0));
+  EXPECT_DOUBLE_EQ(row.looks_elsewhere, 1.4);
+  EXPECT_THAT(toTables({row}), HasSubstr("looks elsewhere per run"));
+  EXPECT_THAT(toTables(summarize(tenRuns("kld"))), Not(HasSubstr("looks elsewhere")));
+  EXPECT_EQ(toJson(row).at("particles").at("by_s").size(), 3U);
+  EXPECT_EQ(toJson(row).at("looks_elsewhere"), 1.4);
+}
+
 TEST(ExperimentSummary, DoesNotDependOnTheOrderOfTheResultsNorOnDoubles) {
   auto runs = tenRuns("kld");
   const auto more = tenRuns("amcl");

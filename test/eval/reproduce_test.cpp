@@ -24,15 +24,15 @@ TEST(Reproduce, TellsWhatIsPrintedAndWhatBothPresetsDo) {
   const std::vector<std::string> arguments{"E17", "--seeds", "2", "--out", folder.file("results")};
   const ProgramResult first = reproduce(arguments);
   ASSERT_EQ(first.exit_code, 0) << first.errors;
-  const std::regex row(R"(\| ekf_icp seed, building, share \| 1 \| ([0-9.]+) \([^|]*n = 2\) )"
+  const std::regex row(R"(\| ekf_icp seed, share \| 1 \| ([0-9.]+) \([^|]*n = 2\) )"
                        R"(\| 1 \([^|]*n = 2\) \| (as printed|better|worse); (?:as printed|better) \|)");
   std::smatch found;
   ASSERT_TRUE(std::regex_search(first.output, found, row)) << first.output;
   EXPECT_LE(std::stod(found[1]), 1.0);
 
-  const std::string results = readWhole(folder.file("results/ekf_wrong_start.jsonl"));
+  const std::string results = readWhole(folder.file("results/mbot.jsonl"));
   EXPECT_EQ(reproduce(arguments).output, first.output);
-  EXPECT_EQ(readWhole(folder.file("results/ekf_wrong_start.jsonl")), results);  // nothing again
+  EXPECT_EQ(readWhole(folder.file("results/mbot.jsonl")), results);  // nothing again
 }
 
 TEST(Reproduce, ComparesFixesOfSwarmsAsWell) {

@@ -139,9 +139,10 @@ TEST(ParticleFilter, LooksElsewhereWithTheShareItIsTold) {
   EXPECT_EQ((filter.hypotheses().x > 49.0).count(), 25);
   EXPECT_EQ(filter.hypotheses().size(), 100);
   EXPECT_EQ(recording->explored, 1);
+  EXPECT_EQ(estimate.share_elsewhere, 0.25);
   EXPECT_EQ(estimate.modes.size(), 1u);  // of what was weighed, not of what was just thrown in
   recording->share = 0.0;
-  filter.update({}, Observations{});
+  EXPECT_EQ(filter.update({}, Observations{}).share_elsewhere, 0.0);
   EXPECT_EQ(recording->explored, 1);
 }
 

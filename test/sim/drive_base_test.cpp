@@ -41,6 +41,19 @@ TEST(DriveBase, IgnoresACommandThatIsNoNumber) {
   EXPECT_DOUBLE_EQ(base.velocity().forward, 0.3);
 }
 
+TEST(DriveBase, DrivesAsideOnlyWithFourWheels) {
+  for (const std::string kind : {"differential", "omni"}) {
+    DriveBaseOptions options;
+    options.base = kind;
+    DriveBase base(options);
+    base.command({0.0, 0.0, -9.0}, 0.0);
+    for (int i = 0; i < 55; ++i) base.step(i * kStep, kStep);
+    EXPECT_NEAR(base.velocity().aside, kind == "omni" ? -0.33 : 0.0, 1e-9);
+    base.stop();
+    EXPECT_EQ(base.velocity().aside, 0.0);
+  }
+}
+
 TEST(Arc, IsTheLimitOfManySmallSteps) {
   const Velocity velocity{0.4, 0.7};
   Pose2 fine;
@@ -52,6 +65,15 @@ TEST(Arc, IsTheLimitOfManySmallSteps) {
   EXPECT_NEAR(exact.y, fine.y, 1e-5);
   EXPECT_NEAR(exact.theta, fine.theta, 1e-9);
   EXPECT_DOUBLE_EQ(arc({0.4, 0.0}, 2.0).x, 0.8);
+
+  Pose2 fine_aside;
+  for (int i = 0; i < 100000; ++i) {
+    fine_aside = fine_aside * Pose2{0.4 * 2e-5, -0.3 * 2e-5, 0.7 * 2e-5};
+  }
+  const Pose2 exact_aside = arc({0.4, 0.7, -0.3}, 2.0);
+  EXPECT_NEAR(exact_aside.x, fine_aside.x, 1e-5);
+  EXPECT_NEAR(exact_aside.y, fine_aside.y, 1e-5);
+  EXPECT_DOUBLE_EQ(arc({0.0, 0.0, 0.4}, 2.0).y, 0.8);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ double twoWalls(const Pose2& ray, double limit) {
 }
 
 TEST(Laser, SendsTheBeamsOfAnLms291) {
-  Laser laser(exact(), Rng(1));
+  Laser laser(exact(), laserMounts(exact()).front(), Rng(1));
   const LaserScan scan = laser.scan({}, roundRoom(5.0));
   EXPECT_EQ(scan.ranges.size(), 181U);
   EXPECT_DOUBLE_EQ(scan.angle_min, -kPi / 2.0);
@@ -40,10 +40,35 @@ TEST(Laser, SendsTheBeamsOfAnLms291) {
   EXPECT_THAT(scan.ranges, testing::Each(5.0F));
 }
 
+TEST(Laser, SeesAsFarAroundAsItIsTold) {
+  LaserOptions options = exact();
+  options.laser_view = 270.0;
+  options.laser_beams = 271;
+  Laser laser(options, laserMounts(options).front(), Rng(1));
+  const LaserScan scan = laser.scan({}, roundRoom(5.0));
+  EXPECT_EQ(scan.ranges.size(), 271U);
+  EXPECT_DOUBLE_EQ(scan.angle_min, -0.75 * kPi);
+  EXPECT_NEAR(scan.angle_increment, kPi / 180.0, 1e-15);
+}
+
+TEST(Laser, HasATwinOnTheOtherCornerOfTheRobot) {
+  LaserOptions options;
+  options.laser_x = 0.2;
+  options.laser_y = 0.15;
+  options.laser_yaw = kPi / 4.0;
+  EXPECT_EQ(laserMounts(options).size(), 1U);
+  options.lasers = 2;
+  const auto mounts = laserMounts(options);
+  ASSERT_EQ(mounts.size(), 2U);
+  EXPECT_NEAR(mounts[1].x, -0.2, 1e-12);
+  EXPECT_NEAR(mounts[1].y, -0.15, 1e-12);
+  EXPECT_NEAR(wrapAngle(mounts[1].theta - (kPi / 4.0 - kPi)), 0.0, 1e-12);
+}
+
 TEST(Laser, AlternatesHalfScansWhenInterlaced) {
   LaserOptions options = exact();
   options.laser_interlaced = true;
-  Laser laser(options, Rng(1));
+  Laser laser(options, laserMounts(options).front(), Rng(1));
   for (int round = 0; round < 3; ++round) {
     const LaserScan whole = laser.scan({}, roundRoom(5.0));
     const LaserScan half = laser.scan({}, roundRoom(5.0));
@@ -55,13 +80,13 @@ TEST(Laser, AlternatesHalfScansWhenInterlaced) {
 }
 
 TEST(Laser, SitsWhereItIsMounted) {
-  Laser laser(exact(), Rng(1));
+  Laser laser(exact(), laserMounts(exact()).front(), Rng(1));
   const LaserScan scan = laser.scan({1.0, -2.0, 0.0}, twoWalls);
   EXPECT_NEAR(scan.ranges[90], 3.0 - 1.021, 1e-6);
 }
 
 TEST(Laser, SendsItsBeamsOneAfterTheOtherFromARobotThatMoves) {
-  Laser laser(exact(), Rng(1));
+  Laser laser(exact(), laserMounts(exact()).front(), Rng(1));
   const double seconds = 0.25 / 75.0;  // a quarter of a turn, to the middle beam
   const LaserScan ahead = laser.scan({-0.021, -2.0, 0.0}, twoWalls, {0.8, 0.0});
   EXPECT_NEAR(ahead.ranges[90], 3.0 - 0.8 * seconds, 1e-6);
@@ -77,7 +102,7 @@ TEST(Laser, NoiseBiasAndRoundingAreThoseGiven) {
   options.laser_resolution = 0.01;
   double sum_of_biases = 0.0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Laser laser(options, Rng(seed));
+    Laser laser(options, laserMounts(options).front(), Rng(seed));
     double sum = 0.0;
     double squares = 0.0;
     constexpr int kScans = 20;
@@ -120,7 +145,7 @@ TEST(Laser, SaysWhatItCannotMeasure) {
 TEST(Laser, BeamsSplitByAnEdgeReturnWhatIsBetween) {
   LaserOptions options = exact();
   options.laser_mixed = 1.0;
-  Laser laser(options, Rng(1));
+  Laser laser(options, laserMounts(options).front(), Rng(1));
   int between = 0;
   for (int i = 0; i < 50; ++i) {
     const float range = laser.scan({}, twoWalls).ranges[90];  // straight at the edge
@@ -134,7 +159,7 @@ TEST(Laser, BeamsSplitByAnEdgeReturnWhatIsBetween) {
 TEST(Laser, LosesSomeBeamsThatGrazeASurface) {
   LaserOptions options = exact();
   options.laser_grazing = 1.0;
-  Laser laser(options, Rng(1));
+  Laser laser(options, laserMounts(options).front(), Rng(1));
   const auto wall = [](const Pose2& ray, double limit) {  // along y = 1
     const double s = std::sin(ray.theta);
     return s > 1e-9 ? std::min((1.0 - ray.y) / s, limit) : limit;
@@ -147,7 +172,7 @@ TEST(Laser, LosesSomeBeamsThatGrazeASurface) {
 TEST(Laser, ShortReadingsAreAsOftenAsAskedFor) {
   LaserOptions options = exact();
   options.laser_short = 0.2;
-  Laser laser(options, Rng(1));
+  Laser laser(options, laserMounts(options).front(), Rng(1));
   int shorter = 0;
   for (int i = 0; i < 20; ++i) {
     for (const float range : laser.scan({}, roundRoom(5.0)).ranges) shorter += range < 5.0F;

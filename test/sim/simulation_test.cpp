@@ -140,6 +140,36 @@ TEST(Simulation, AWallStopsTheRobotWithoutTouch) {
   EXPECT_GT(simulation.truth().x, options.base.robot_radius + 0.1);
 }
 
+TEST(Simulation, AnOmnidirectionalRobotWithTwoLasersSeesAllAroundAndNeedNotTurn) {
+  SimulationOptions options;
+  options.drive = true;
+  options.base.base = "omni";
+  options.odometry = OdometryOptions::profile("ideal");
+  options.laser.lasers = 2;
+  options.laser.laser_view = 270.0;
+  options.laser.laser_beams = 271;
+  options.laser.laser_x = options.laser.laser_y = 0.15;
+  options.laser.laser_yaw = kPi / 4.0;
+  Simulation simulation = simulateHall(options);
+  double most_aside = 0.0;
+  int pairs = 0;
+  while (simulation.driver().reached() < 4 && simulation.time() < 300.0) {
+    const Sensed sensed = simulation.step();
+    most_aside = std::max(most_aside, std::abs(simulation.velocity().aside));
+    ASSERT_EQ(sensed.scan.has_value(), sensed.second_scan.has_value());
+    if (!sensed.scan) continue;
+    ++pairs;
+    EXPECT_EQ(sensed.scan->stamp, sensed.second_scan->stamp);
+    EXPECT_NE(sensed.scan->ranges, sensed.second_scan->ranges);
+  }
+  EXPECT_EQ(simulation.driver().reached(), 4);
+  EXPECT_GT(most_aside, 0.2);
+  EXPECT_GT(pairs, 100);
+  const Pose2 T_map_odom = simulation.truth() * inverse(simulation.odometry().T_odom_base);
+  EXPECT_NEAR(T_map_odom.x, 1.0, 1e-6);  // where it started
+  EXPECT_NEAR(T_map_odom.y, 1.0, 1e-6);
+}
+
 TEST(Simulation, ADriverWhoDoesNotKnowTheTruthSteersByWhereTheRobotIsLocalized) {
   SimulationOptions options;
   options.drive = true;
@@ -230,7 +260,7 @@ TEST(Simulation, TheLaserSeesPeopleAndFurniture) {
       const Sensed sensed = simulation.step();
       if (!sensed.scan) continue;
       const auto world = makeWorld(hall(), false);
-      const Pose2 laser = simulation.truth() * simulation.laserMount();
+      const Pose2 laser = simulation.truth() * simulation.laserMounts().front();
       for (std::size_t i = 0; i < sensed.scan->ranges.size(); ++i) {
         const double bearing = sensed.scan->angle_min + double(i) * sensed.scan->angle_increment;
         const double expected = world->range(laser * Pose2{0.0, 0.0, bearing}, 80.0);

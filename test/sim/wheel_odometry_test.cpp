@@ -16,7 +16,7 @@ OdometryOptions exact() {
 
 Pose2 drive(const OdometryOptions& options, const Velocity& velocity, double seconds,
             std::uint64_t seed = 1) {
-  WheelOdometry odometry(options, Rng(seed));
+  WheelOdometry odometry(options, false, Rng(seed));
   const int steps = static_cast<int>(seconds / kStep + 0.5);
   for (int i = 0; i < steps; ++i) odometry.step(velocity, kStep);
   return odometry.pose();
@@ -53,7 +53,7 @@ TEST(WheelOdometry, NoiseHasTheVarianceItIsGiven) {
   double along2 = 0.0;
   constexpr int kRuns = 2000;
   for (int run = 0; run < kRuns; ++run) {
-    WheelOdometry odometry(options, Rng(static_cast<std::uint64_t>(run)));
+    WheelOdometry odometry(options, false, Rng(static_cast<std::uint64_t>(run)));
     double along = 0.0;
     double heading = 0.0;
     for (int i = 0; i < 400; ++i) {
@@ -74,7 +74,7 @@ TEST(WheelOdometry, SlippingWheelsSeeMoreTurnThanThereIs) {
   OdometryOptions options = exact();
   options.odom_slip_rate = 100.0;  // slips nearly always
   options.odom_slip_share = 0.5;
-  WheelOdometry odometry(options, Rng(1));
+  WheelOdometry odometry(options, false, Rng(1));
   double turned = 0.0;
   for (int i = 0; i < 200; ++i) {
     odometry.step({0.0, 1.0}, kStep);
@@ -87,7 +87,7 @@ TEST(WheelOdometry, SlippingWheelsSeeMoreTurnThanThereIs) {
 TEST(WheelOdometry, ReportsWholeDegreesAndWaysOfWholeMillimetres) {
   OdometryOptions options = exact();
   options.odom_whole_degrees = true;
-  WheelOdometry odometry(options, Rng(1));
+  WheelOdometry odometry(options, false, Rng(1));
   double way = 0.0, most_way = 0.0;  // of odometry and truth apart, m
   for (int i = 1; i <= 5000; ++i) {
     odometry.step({0.033, 0.01}, kStep);
@@ -109,7 +109,7 @@ TEST(WheelOdometry, ReportsWholeDegreesAndWaysOfWholeMillimetres) {
 TEST(WheelOdometry, GoesOnBetweenReports) {
   OdometryOptions options = exact();
   options.odom_whole_degrees = true;
-  WheelOdometry odometry(options, Rng(1));
+  WheelOdometry odometry(options, false, Rng(1));
   for (int i = 0; i < 57; ++i) odometry.step({0.4, 0.0}, kStep);
   odometry.report();
   const Pose2 reported = odometry.pose();
@@ -117,6 +117,39 @@ TEST(WheelOdometry, GoesOnBetweenReports) {
   for (int i = 0; i < 3; ++i) odometry.step({0.4, 0.0}, kStep);
   EXPECT_NEAR(odometry.pose().x - reported.x, 0.012, 1e-9);
   EXPECT_NEAR(odometry.pose(0.005).x - reported.x, 0.014, 1e-9);
+}
+
+TEST(WheelOdometry, FourWheelsWithRollersSeeWaysAsideToo) {
+  OdometryOptions options = exact();
+  const Velocity velocity{0.3, 0.2, -0.25};
+  WheelOdometry odometry(options, true, Rng(1));
+  for (int i = 0; i < 500; ++i) odometry.step(velocity, kStep);
+  const Pose2 truth = arc(velocity, 5.0);
+  EXPECT_NEAR(odometry.pose().x, truth.x, 1e-9);
+  EXPECT_NEAR(odometry.pose().y, truth.y, 1e-9);
+  EXPECT_NEAR(odometry.pose().theta, truth.theta, 1e-9);
+
+  options.odom_axle_ratio = 1.02;
+  WheelOdometry wrong(options, true, Rng(1));
+  for (int i = 0; i < 500; ++i) wrong.step(velocity, kStep);
+  EXPECT_NEAR(wrong.pose().theta, 1.02 * truth.theta, 1e-9);
+
+  options = exact();
+  options.odom_wheel_noise = 1e-4;
+  double along2 = 0.0, aside2 = 0.0;
+  for (int run = 0; run < 2000; ++run) {
+    WheelOdometry noisy(options, true, Rng(static_cast<std::uint64_t>(run)));
+    double along = -2.0, aside = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      noisy.step({0.5, 0.0, 0.0}, kStep);
+      along += noisy.velocity().forward * kStep;
+      aside += noisy.velocity().aside * kStep;
+    }
+    along2 += along * along / 2000.0;
+    aside2 += aside * aside / 2000.0;
+  }
+  EXPECT_NEAR(along2, 1e-4 * 2.0 / 4.0, 5e-6);  // the mean of four wheels
+  EXPECT_NEAR(aside2, 1e-4 * 2.0 / 4.0, 5e-6);
 }
 
 TEST(WheelOdometry, ProfilesGetWorse) {

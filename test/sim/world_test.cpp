@@ -7,8 +7,8 @@
 
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
 #include "adaptive_localization/map/segment_index.hpp"
+#include "adaptive_localization/sim/rasterize.hpp"
 #include "test_worlds.hpp"
 
 namespace adaptive_localization {

@@ -35,6 +35,7 @@ struct Estimate {
   Pose2 T_map_base;
   Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};
   std::vector<Mode> modes;
+  double share_elsewhere{0.0};  // of the hypotheses, drawn elsewhere after this update
 };
 
 }  // namespace adaptive_localization

@@ -93,7 +93,9 @@ struct ExperimentResult {
   /// On the floor: from each way-point that the driver took for reached, and, rms, from its way.
   std::vector<double> arrival_errors_m;
   double way_error_m{0.0};
+  int looks_elsewhere{0};  // updates after which hypotheses were drawn elsewhere
   int particles_first{0}, particles_max{0};
+  std::vector<int> particles_by_s;  // at the first scan of each second
   double particles_mean{0.0};
   double update_ms_median{0.0}, update_ms_max{0.0};  // processor time of scans that updated
 };

@@ -48,6 +48,8 @@ struct ExperimentSummary {
   // all runs, from its way, and way-points in a minute.
   double arrival_median_m{0.0}, arrival_95_m{0.0}, arrival_largest_m{0.0};
   double way_error_median_m{0.0}, arrivals_per_min{0.0};
+  double looks_elsewhere{0.0};         // per run
+  std::vector<double> particles_by_s;  // N(t), mean of the runs that last so long
   double particles_first{0.0}, particles_mean{0.0};
   int particles_max{0};
   double update_ms_median{0.0}, update_ms_max{0.0};

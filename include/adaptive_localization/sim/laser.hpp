@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/core/scan.hpp"
@@ -11,9 +12,13 @@ namespace adaptive_localization {
 
 /// A SICK LMS-291 as the sicklms driver shows it.
 struct LaserOptions {
+  int lasers{1};
   int laser_beams{181};
+  double laser_view{180.0};
   bool laser_interlaced{false};
   double laser_x{0.021};
+  double laser_y{0.0};
+  double laser_yaw{0.0};
   double laser_max_range{80.0};
   double laser_noise{0.010};
   double laser_bias{0.035};
@@ -26,11 +31,17 @@ struct LaserOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("laser_beams", laser_beams, Range{2, 3601}, "", "Beams over 180 degrees: 181 or 361.");
+    option("lasers", lasers, Range{1, 2}, "",
+           "Two: the second one sits as the first, half a turn round the middle of the robot.");
+    option("laser_beams", laser_beams, Range{2, 3601}, "", "Beams over the view: 181 or 361.");
+    option("laser_view", laser_view, Range{1, 360}, "deg",
+           "Angle from the first beam to the last.");
     option("laser_interlaced", laser_interlaced,
            "Alternate 181 beams from -90 and 180 beams from -89.5 degrees, 1 degree apart, as "
            "sicklms does at half-degree resolution.");
     option("laser_x", laser_x, Range{-2, 2}, "m", "The laser's place before base_link.");
+    option("laser_y", laser_y, Range{-2, 2}, "m", "The same to its left.");
+    option("laser_yaw", laser_yaw, Range{-kPi, kPi}, "rad", "Where the middle of its view points.");
     option("laser_max_range", laser_max_range, Range{1, 1000}, "m",
            "Farther is no return: 80, or 8 in the millimetre mode.");
     option("laser_noise", laser_noise, Range{0, 1}, "m", "Standard deviation of a range.");
@@ -50,23 +61,27 @@ struct LaserOptions {
   }
 };
 
+/// T_base_laser of each laser.
+std::vector<Pose2> laserMounts(const LaserOptions& options);
+
 class Laser {
  public:
   /// The true range of a ray (map frame), max_range if it meets nothing.
   using Caster = std::function<double(const Pose2& T_map_ray, double max_range)>;
 
-  Laser(const LaserOptions& options, Rng rng);
+  Laser(const LaserOptions& options, const Pose2& T_base_laser, Rng rng);
 
   /// The scan of a robot that is at a pose when the first beam is sent and drives on while the
   /// others are; NaN invalid, infinity no return, as sicklms gives them.
   LaserScan scan(const Pose2& T_map_base, const Caster& cast, const Velocity& velocity = {});
 
-  Pose2 mount() const { return {options_.laser_x, 0.0, 0.0}; }  // T_base_laser
+  const Pose2& mount() const { return T_base_laser_; }
 
  private:
   float measure(const Pose2& T_map_ray, const Caster& cast);
 
   LaserOptions options_;
+  Pose2 T_base_laser_;
   Rng rng_;
   double bias_;
   bool second_half_{false};

@@ -13,7 +13,7 @@ class RouteFollower {
  public:
   /// With an empty route it wanders between random places, drawn once.
   RouteFollower(std::shared_ptr<const FreeSpace> free_space, std::vector<Eigen::Vector2d> route,
-                const RouteOptions& options, Rng rng);
+                const RouteOptions& options, bool is_omni, Rng rng);
 
   /// What to command now; to be asked again after dt seconds. Stops for people in front of it; what
   /// stays in the way makes it back off and take the next way-point.

@@ -66,7 +66,8 @@ struct OdometryReading {
 
 /// What came from the sensors in one step.
 struct Sensed {
-  std::optional<LaserScan> scan;
+  std::optional<LaserScan> scan;         // of the first laser
+  std::optional<LaserScan> second_scan;  // of the second one, with the same stamp
   std::optional<OdometryReading> odometry;
 };
 
@@ -110,7 +111,7 @@ class Simulation {
   const Velocity& velocity() const { return base_.velocity(); }
   OdometryReading odometry() const { return {time(), odometry_.pose(), odometry_.velocity()}; }
   const std::vector<Eigen::Vector2d>& people() const { return people_.places(); }
-  Pose2 laserMount() const { return laser_.mount(); }  // T_base_laser
+  const std::vector<Pose2>& laserMounts() const { return laser_mounts_; }  // T_base_laser of each
   const RouteFollower& driver() const { return driver_; }
 
   /// The robot is lifted and put down: its wheels do not turn. Where it cannot stand, it is put
@@ -136,7 +137,8 @@ class Simulation {
   Rng rng_;
   DriveBase base_;
   WheelOdometry odometry_;
-  Laser laser_;
+  std::vector<Pose2> laser_mounts_;
+  std::vector<Laser> lasers_;
   People people_;
   RouteFollower driver_;
   Pose2 start_;
@@ -145,7 +147,7 @@ class Simulation {
   std::int64_t ticks_{0};
   double commanded_at_{-1e9};
   Metronome scans_, readings_;
-  std::deque<LaserScan> on_the_wire_;  // scans taken but not yet delivered
+  std::deque<Sensed> on_the_wire_;  // scans taken but not yet delivered
 };
 
 }  // namespace adaptive_localization

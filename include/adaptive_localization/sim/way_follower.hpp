@@ -38,11 +38,13 @@ struct RouteOptions {
 ///
 ///     turn = p a + i integral(a) + d da/dt,   a the angle at which that point lies aside,
 ///
-/// and turns on the spot first when it lies far aside.
+/// and turns on the spot first when it lies far aside. A base that can drives there at once,
+/// whatever it faces.
 class WayFollower {
  public:
-  WayFollower(std::shared_ptr<const FreeSpace> free_space, const RouteOptions& options)
-      : free_space_(std::move(free_space)), options_(options) {}
+  WayFollower(std::shared_ptr<const FreeSpace> free_space, const RouteOptions& options,
+              bool is_omni = false)
+      : free_space_(std::move(free_space)), options_(options), is_omni_(is_omni) {}
 
   /// Points at most a few centimetres apart, in the map frame; none: nowhere to go.
   void follow(std::vector<Eigen::Vector2d> way);
@@ -63,6 +65,7 @@ class WayFollower {
 
   std::shared_ptr<const FreeSpace> free_space_;
   RouteOptions options_;
+  bool is_omni_;
   std::vector<Eigen::Vector2d> way_;
   std::size_t next_{0};  // how far along the way the robot is
   double integral_{0.0}, last_aside_{0.0};

@@ -46,7 +46,10 @@ struct OdometryOptions {
 /// Dead reckoning with wrong constants, fed with true motion.
 class WheelOdometry {
  public:
-  WheelOdometry(const OdometryOptions& options, const Rng& rng) : options_(options), rng_(rng) {}
+  /// With two wheels, or with four that have rollers (mecanum), as far apart along the robot as
+  /// across it; the right ones are the larger ones.
+  WheelOdometry(const OdometryOptions& options, bool is_omni, const Rng& rng)
+      : options_(options), is_omni_(is_omni), rng_(rng) {}
 
   /// The body really moved so for dt seconds.
   void step(const Velocity& velocity, double dt);
@@ -66,11 +69,14 @@ class WheelOdometry {
  private:
   Pose2 firmwarePose(double after) const;
   double slip(double turn_rate, double dt);
+  Velocity measuredByTwo(const Velocity& velocity, double slipping, double dt);
+  Velocity measuredByFour(const Velocity& velocity, double slipping, double dt);
   double noise(double travel) {
     return rng_.normal(0.0, std::sqrt(options_.odom_wheel_noise * std::abs(travel)));
   }
 
   OdometryOptions options_;
+  bool is_omni_;
   Rng rng_;
   Pose2 T_odom_base_;           // the firmware's
   Pose2 at_report_, reported_;  // the firmware's and the driver's, T_odom_base at the last report
