@@ -10,6 +10,7 @@ namespace {
 constexpr double kNarrow = 0.2;      // m, a cloud's standard deviation: any good match is its place
 constexpr double kWide = 0.6;        // m: up to here only one that explains the scan,
 constexpr double kMostOfScan = 0.7;  // so much of it
+constexpr double kGate = 11.34;      // 99 % of a chi-square variable with 3 degrees of freedom
 
 bool isWithin(double deviation, const Estimate& estimate) {
   return estimate.covariance.topLeftCorner<2, 2>().trace() < deviation * deviation;
@@ -28,7 +29,6 @@ Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
 
 /// Whether a pose is still of the place that a filter means.
 bool isNear(const Estimate& estimate, const Pose2& T_map_base) {
-  constexpr double kGate = 11.34;  // 99 % of a chi-square variable with 3 degrees of freedom
   const Pose2& pose = estimate.T_map_base;
   const Eigen::Vector3d off(T_map_base.x - pose.x, T_map_base.y - pose.y,
                             wrapAngle(T_map_base.theta - pose.theta));
@@ -55,13 +55,16 @@ Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion,
   }
   if (!goesOnFrom(estimate, motion)) {
     tracker_.reset({estimate.T_map_base, loosened(estimate.covariance)});
+    has_explained_ = false;
   }
   tracker_.correctBy(*senses_, observations);
   match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
   is_on_ = tracker_.correct(*match_, [&](const Match& match) {
-    return isTrusted(match, estimate) && isNear(estimate, match.T_map_base);
+    const bool is_expected = has_explained_ && tracker_.distanceOf(match) < kGate;
+    return (is_expected || isTrusted(match, estimate)) && isNear(estimate, match.T_map_base);
   });
   if (!is_on_) return estimate;
+  has_explained_ = has_explained_ || match_->inlier_ratio >= kMostOfScan;
   estimate.T_map_base = tracker_.mean();
   estimate.covariance = tracker_.covariance();
   estimate.modes.front().T_map_base = estimate.T_map_base;

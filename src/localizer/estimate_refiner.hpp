@@ -22,8 +22,9 @@ class EstimateRefiner {
 
   /// What the filter says after it moved by odometry, motion = T_previous_current, and observed,
   /// with the matched pose and its covariance in place of its own. The same estimate where a cloud
-  /// is wide and the match leaves much of the scan unexplained, as it may then be anything; and
-  /// where the scan does not match nearby.
+  /// is wide and the match leaves much of the scan unexplained, as it may then be anything, unless
+  /// it is where odometry lets expect it since matches that did explain a scan; and where the scan
+  /// does not match nearby.
   Estimate refine(Estimate estimate, const Pose2& motion, const Observations& observations);
 
   /// Forgets where the filter was.
@@ -38,7 +39,8 @@ class EstimateRefiner {
   ScanTracker tracker_;
   std::unique_ptr<MotionModel> motion_;
   Senses senses_;
-  bool is_on_{false};  // was matched with the last scan
+  bool is_on_{false};          // was matched with the last scan
+  bool has_explained_{false};  // most of a scan since it began
   std::optional<Match> match_;
 };
 

@@ -86,6 +86,22 @@ TEST_F(Refining, BelievesInAWideCloudOnlyAMatchThatExplainsTheScan) {
   EXPECT_LT(distance(refiner_.refine(narrow, {}, half).T_map_base, step.T_map_base), 0.03);
 }
 
+/// A scan a metre on, with obstacles: the cloud is wide, odometry is not.
+TEST_F(Refining, BelievesInAWideCloudAMatchThatOdometryLetsExpect) {
+  const ToyStep& step = drive_.front();
+  Observations half = step.observations;
+  for (Eigen::Index i = 0; i < half.scan.x.size(); i += 2) {
+    const auto nearer = static_cast<float>(rng_.uniform());
+    half.scan.x[i] *= nearer;
+    half.scan.y[i] *= nearer;
+  }
+  refiner_.refine(estimateAt(step.T_map_base), {}, step.observations);
+  const Estimate wide = estimateAt(shifted(step.T_map_base, 0.15, -0.1, 0.05), 0.2);
+  const Estimate refined = refiner_.refine(wide, {}, half);
+  EXPECT_LT(refiner_.match()->inlier_ratio, 0.7);
+  EXPECT_LT(distance(refined.T_map_base, step.T_map_base), 0.03);
+}
+
 TEST_F(Refining, LeavesACloudAloneThatIsTooWide) {
   const Estimate wide = estimateAt(drive_.front().T_map_base, 0.5);
   const Estimate same = refiner_.refine(wide, {}, drive_.front().observations);

@@ -125,16 +125,16 @@ TEST(Laser, NoiseBiasAndRoundingAreThoseGiven) {
 
 TEST(Laser, SaysWhatItCannotMeasure) {
   LaserOptions options = exact();
-  Laser far(options, Rng(1));
+  Laser far(options, laserMounts(options).front(), Rng(1));
   EXPECT_THAT(far.scan({}, roundRoom(100.0)).ranges, testing::Each(INFINITY));
   options.laser_max_range = 8.0;
-  Laser millimetres(options, Rng(1));
+  Laser millimetres(options, laserMounts(options).front(), Rng(1));
   const LaserScan scan = millimetres.scan({}, roundRoom(9.0));
   EXPECT_THAT(scan.ranges, testing::Each(INFINITY));
   EXPECT_NEAR(scan.range_max, 8.1, 1e-9);
 
   options.laser_dazzle = 0.1;
-  Laser dazzled(options, Rng(1));
+  Laser dazzled(options, laserMounts(options).front(), Rng(1));
   int invalid = 0;
   for (int i = 0; i < 20; ++i) {
     for (const float range : dazzled.scan({}, roundRoom(5.0)).ranges) invalid += std::isnan(range);
