@@ -26,7 +26,7 @@ Gaussian2 roughly(const Pose2& mean, double x, double y, double theta) {
 
 Mode momentsOf(const PoseHistogram& belief) {
   const Particles poses = belief.poses(belief.cellsAbove(0.0));
-  std::vector<Eigen::Index> all(poses.size());
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(poses.size()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Eigen::Index>(i);
   return meanAndCovariance(poses, normalisedWeights(poses.log_weight), all);
 }
