@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "adaptive_localization/map/polygon.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -32,7 +34,8 @@ bool WayFollower::isOff(const Eigen::Vector2d& here) const {
 
 double WayFollower::distanceTo(const Eigen::Vector2d& point) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector2d& each : way_) least = std::min(least, (each - point).norm());
+  for (std::size_t i = 1; i < way_.size(); ++i)
+    least = std::min(least, distance(Segment{way_[i - 1], way_[i]}, point));
   return least;
 }
 

@@ -40,7 +40,7 @@ TEST(Reproduce, ComparesFixesOfSwarmsAsWell) {
   const ProgramResult result =
       reproduce({"E9", "--seeds", "2", "--first-seed", "5", "--out", folder.file("results")});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  const std::regex row(R"(\| lbba, mm \| 2\.3098 \| [^|]*n = [12][^|]*\| [0-9.]+ \([^|]*n = 2\) \|)");
+  const std::regex row(R"(\| lbba, seed, mm \| 2\.3098 \| [^|]*n = [12][^|]*\| [0-9.]+ \([^|]*n = 2\) \|)");
   EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
 }
 

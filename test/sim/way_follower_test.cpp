@@ -82,7 +82,8 @@ TEST_F(Way, IsNowhereBeforeThereIsOne) {
   EXPECT_FALSE(follower.isOff({0.0, 0.0}));
   EXPECT_EQ(follower.distanceTo({1.0, 1.0}), std::numeric_limits<double>::infinity());
   EXPECT_EQ(follower.steer({1.0, 1.0, 0.0}, 0.05).forward, 0.0);
-  EXPECT_NEAR(this->follower().distanceTo({3.0, 3.5}), 1.0, 1e-3);
+  EXPECT_NEAR(this->follower().distanceTo({3.0, 3.5}), 1.0, 1e-9);
+  EXPECT_NEAR(this->follower().distanceTo({3.026, 2.5}), 0.0, 1e-9);  // between two of its points
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class WayFollower {
   /// What to command now; to be asked again after dt seconds. Stands without a way.
   Velocity steer(const Pose2& T_map_base, double dt);
 
-  /// Metres from a point to the nearest one of the way, infinity without one.
+  /// Metres from a point to the way, infinity without one.
   double distanceTo(const Eigen::Vector2d& point) const;
 
  private:
