@@ -43,10 +43,11 @@ GoalFollower::GoalFollower(ros::NodeHandle node, const Parameters& parameters)
 }
 
 void GoalFollower::onMap(const nav_msgs::OccupancyGrid& map) {
+  goal_.reset();  // whatever becomes of the new map, the old one holds no more
+  free_space_.reset();
+  command({});
   const auto grid = std::make_shared<const OccupancyGrid>(toGrid(map));
   free_space_ = std::make_shared<const FreeSpace>(makeWorld(grid), options_.robot_radius + kMargin);
-  goal_.reset();
-  command({});
 }
 
 std::optional<Pose2> GoalFollower::place() const {

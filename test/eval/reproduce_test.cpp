@@ -24,8 +24,9 @@ TEST(Reproduce, TellsWhatIsPrintedAndWhatBothPresetsDo) {
   const std::vector<std::string> arguments{"E17", "--seeds", "2", "--out", folder.file("results")};
   const ProgramResult first = reproduce(arguments);
   ASSERT_EQ(first.exit_code, 0) << first.errors;
-  const std::regex row(R"(\| ekf_icp seed, share \| 1 \| ([0-9.]+) \([^|]*n = 2\) )"
-                       R"(\| 1 \([^|]*n = 2\) \| (as printed|better|worse); (?:as printed|better) \|)");
+  const std::regex row(
+      R"(\| ekf_icp seed, share \| 1 \| ([0-9.]+) \([^|]*n = 2\) )"
+      R"(\| 1 \([^|]*n = 2\) \| (as printed|better|worse); (?:as printed|better) \|)");
   std::smatch found;
   ASSERT_TRUE(std::regex_search(first.output, found, row)) << first.output;
   EXPECT_LE(std::stod(found[1]), 1.0);
@@ -40,14 +41,16 @@ TEST(Reproduce, ComparesFixesOfSwarmsAsWell) {
   const ProgramResult result =
       reproduce({"E9", "--seeds", "2", "--first-seed", "5", "--out", folder.file("results")});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  const std::regex row(R"(\| lbba, seed, mm \| 2\.3098 \| [^|]*n = [12][^|]*\| [0-9.]+ \([^|]*n = 2\) \|)");
+  const std::regex row(
+      R"(\| lbba, seed, mm \| 2\.3098 \| [^|]*n = [12][^|]*\| [0-9.]+ \([^|]*n = 2\) \|)");
   EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
 }
 
 TEST(Reproduce, NamesWhatItKnows) {
   const ProgramResult unknown = reproduce({"E99"});
   EXPECT_NE(unknown.exit_code, 0);
-  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("'E99'"), HasSubstr("E1 E2 E3 E4 E5 E6 E8 E9 E10 E11 E14 E15 E16 E17")));
+  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("'E99'"),
+                                    HasSubstr("E1 E2 E3 E4 E5 E6 E8 E9 E10 E11 E14 E15 E16 E17")));
   const ProgramResult list = reproduce({"--list"});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_THAT(list.output, AllOf(HasSubstr("E4 "), HasSubstr("(Li 2016, T5)")));

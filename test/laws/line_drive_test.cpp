@@ -88,8 +88,8 @@ class LineDriver {
     T_odom_base_ = odometry.T_odom_base;
     kalman_.predict(motion, motion_->covariance(motion));
     const BaseVelocity velocity{odometry.velocity.forward, 0.0, odometry.velocity.turn};
-    const Scan scan =
-        toScan(message, LaserMount::level(simulation_.laserMounts().front()), ScanOptions{}, velocity);
+    const Scan scan = toScan(message, LaserMount::level(simulation_.laserMounts().front()),
+                             ScanOptions{}, velocity);
     const Match match = matcher_.match(kalman_.mean(), scan, kalman_.covariance().inverse());
     if (!match.isGood()) return false;
     const PoseObservation seen = observationOf(kalman_.mean(), match);
