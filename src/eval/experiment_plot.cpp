@@ -42,9 +42,9 @@ struct Axes {
   }
 };
 
-/// Numbers of particles go from 10 to 10 000, by tens.
+/// Numbers of particles go from 10 to 100 000, by tens.
 double shareOfParticles(double count) {
-  return std::clamp((std::log10(std::max(count, 1.0)) - 1.0) / 3.0, 0.0, 1.0);
+  return std::clamp((std::log10(std::max(count, 1.0)) - 1.0) / 4.0, 0.0, 1.0);
 }
 
 void drawLevel(cv::Mat& panel, const Axes& axes, double share, const std::string& name) {
@@ -91,7 +91,8 @@ std::vector<cv::Point> particlesCurve(const Axes& axes, const ExperimentSummary&
   return points;
 }
 
-void drawLegend(cv::Mat& panel, const Rows& rows, int y) {
+void drawLegend(cv::Mat& panel, const Rows& rows) {
+  int y = kHeight - kBottom - 14 - 20 * static_cast<int>(rows.size() - 1);
   for (std::size_t i = 0; i < rows.size(); ++i, y += 20) {
     const int x = kWidth - kRight - 210;
     cv::line(panel, {x, y - 5}, {x + 24, y - 5}, curveColour(i), 3, cv::LINE_AA);
@@ -123,7 +124,7 @@ cv::Mat drawFound(const Rows& rows) {
   for (const int percent : {0, 25, 50, 75, 100})
     drawLevel(panel, axes, percent / 100.0, cv::format("%3d %%", percent));
   drawCurves(panel, axes, rows, foundCurve);
-  drawLegend(panel, rows, kHeight - kBottom - 14 - 20 * static_cast<int>(rows.size() - 1));
+  drawLegend(panel, rows);
   return panel;
 }
 
@@ -135,10 +136,10 @@ cv::Mat drawParticles(const Rows& rows) {
   }
   const Axes axes{longest};
   drawAxes(panel, axes, titleOf(rows) + ", particles", "seconds of the run");
-  for (const int count : {10, 100, 1000, 10000})
+  for (const int count : {10, 100, 1000, 10000, 100000})
     drawLevel(panel, axes, shareOfParticles(count), std::to_string(count));
   drawCurves(panel, axes, rows, particlesCurve);
-  drawLegend(panel, rows, kTop + 20);
+  drawLegend(panel, rows);
   return panel;
 }
 
