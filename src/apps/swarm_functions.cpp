@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     }
     const auto cells = al::raceSwarms(command.seeds, command.first_seed);
     std::cout << al::toTable(cells);
+    if (!command.json_file.empty()) al::saveJson(cells, command.json_file);
     if (!command.plot_file.empty()) al::savePlot(cells, command.plot_file);
   } catch (const std::exception& error) {
     std::cerr << "swarm_functions: " << error.what() << "\nTry swarm_functions --help\n";

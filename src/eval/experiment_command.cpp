@@ -55,7 +55,8 @@ that RESULTS.jsonl holds already are not made again: after an interruption, say 
   --jobs N             runs at the same time (default: as many as there are processors)
   --shard I/N          only part I of N, for several machines; their results merge by concatenation
   --seeds N            seeds for each case and core, rather than the file's number
-  --only WORD          only runs with this in experiment/case/core; may be given several times
+  --only WORD          only runs with this in experiment/case/core; may be given several times;
+                       a $ at its end is the end: "/kld$" is kld, but not sa_kld
   KEY:=VALUE           overrides what the file says (duration:=20, simulation.people:=3,
                        success.position:=0.3), or else an option of all cores (laser_max_beams:=30)
   --list               print what would be run

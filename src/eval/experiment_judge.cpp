@@ -78,6 +78,7 @@ void ExperimentJudge::observe(const JudgedScan& scan) {
   if (scan.T_map_base) {
     noteTrial(scan,
               isNear(scan.answer.T_map_base, *scan.T_map_base, rule_.position, rule_.heading));
+    noteValid(scan);
     noteWrong(scan);
     noteProbes(scan);
     result_.calibration.note(scan.answer.confidence,
@@ -121,6 +122,17 @@ void ExperimentJudge::noteTrial(const JudgedScan& scan, bool is_right) {
   trial.end_error_m = error;
   trial.end_error_deg = kDegrees * heading_error;
   trial.is_silent_failure = status == Status::kTracking && is_wrong;
+}
+
+void ExperimentJudge::noteValid(const JudgedScan& scan) {
+  if (!has_trial_ || !scan.spread || *scan.spread > kValidSpread) return;
+  Trial& trial = result_.trials.back();
+  if (trial.validated_s) return;
+  if (isWrong(scan.answer.T_map_base, *scan.T_map_base)) {
+    ++trial.wrongly_validated;
+  } else {
+    trial.validated_s = scan.stamp - trial.at;
+  }
 }
 
 void ExperimentJudge::noteAlarms(const JudgedScan& scan) {

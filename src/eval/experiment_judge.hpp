@@ -11,6 +11,8 @@
 
 namespace adaptive_localization {
 
+constexpr double kValidSpread = 0.14;  // m
+
 /// One scan, what the localizer answered and what was true.
 struct JudgedScan {
   double stamp{0.0};  // s
@@ -18,6 +20,7 @@ struct JudgedScan {
   std::optional<Pose2> T_map_base;  // none while the robot is off the floor
   Localization answer;
   int particles{0};
+  std::optional<double> spread;  // mean distance of the particles from their mean, m; of some
   double update_ms{0.0};
   std::optional<ScanBounds> bounds;
 };
@@ -49,6 +52,7 @@ class ExperimentJudge {
 
   void endTrial();
   void noteTrial(const JudgedScan& scan, bool is_right);
+  void noteValid(const JudgedScan& scan);
   void noteAlarms(const JudgedScan& scan);
   void noteWrong(const JudgedScan& scan);
   void noteModes(const JudgedScan& scan);

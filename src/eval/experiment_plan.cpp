@@ -15,8 +15,9 @@ namespace adaptive_localization {
 namespace {
 
 bool hasWord(const std::string& name, const std::vector<std::string>& words) {
+  const std::string ended = name + '$';
   return words.empty() || std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-           return name.find(word) != std::string::npos;
+           return ended.find(word) != std::string::npos;
          });
 }
 

@@ -19,6 +19,8 @@ void visitTrial(Stored& trial, Item&& item) {
   item("pose", trial.T_map_base);
   item("found_s", trial.found_s);
   item("told_s", trial.told_s);
+  item("validated_s", trial.validated_s);
+  item("wrongly_validated", trial.wrongly_validated);
   item("within_s", trial.within_s);
   item("left_s", trial.left_s);
   item("at", trial.at);

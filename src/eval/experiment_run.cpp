@@ -30,6 +30,14 @@ Prior priorOf(const ExperimentCase& of_case, const Pose2& told) {
   return StartOptions().around(told);
 }
 
+/// Of the particles from their mean, on average, m.
+std::optional<double> spreadOf(const Particles& particles) {
+  if (particles.size() == 0) return std::nullopt;
+  const Eigen::ArrayXd dx = particles.x - particles.x.mean();
+  const Eigen::ArrayXd dy = particles.y - particles.y.mean();
+  return (dx.square() + dy.square()).sqrt().mean();
+}
+
 JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount& mount) {
   const Stopwatch watch(CLOCK_THREAD_CPUTIME_ID);  // which other runs beside it do not lengthen
   Observations observations;
@@ -42,6 +50,7 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   judged.T_odom_base = seen.T_odom_base;
   judged.T_map_base = seen.T_map_base;
   judged.particles = static_cast<int>(localizer.hypotheses().size());
+  judged.spread = spreadOf(localizer.hypotheses());
   return judged;
 }
 

@@ -63,7 +63,7 @@ void takeChoices(std::vector<std::string>& arguments, SwarmFixPlan& plan) {
 }  // namespace
 
 std::string swarmFunctionsUsage() {
-  return "usage: swarm_functions [SEEDS [PLOT.png]] [--first-seed N]\n\n"
+  return "usage: swarm_functions [SEEDS [PLOT.png]] [--first-seed N] [--json FILE]\n\n"
          "Prints how many iterations swarms of 20 to 1200 need to find the least value of\n"
          "Rastrigin, Ackley and Eggcrate to 0.01, plain and turned and shifted: the mean, a run "
          "that\n"
@@ -71,6 +71,7 @@ std::string swarmFunctionsUsage() {
          "  SEEDS     runs of each swarm (default 50)\n"
          "  PLOT.png  draws the same\n"
          "  N         the first of the seeds, which follow each other (default 1)\n"
+         "  --json    writes all runs\n"
          "  --help    print this\n";
 }
 
@@ -96,6 +97,7 @@ SwarmFunctionsCommand parseSwarmFunctions(std::vector<std::string> arguments) {
   command.wants_help = asksForHelp(arguments);
   if (command.wants_help) return command;
   command.first_seed = takeFirstSeed(arguments);
+  for (const std::string& file : takeAll(arguments, "--json")) command.json_file = file;
   refuseMore(arguments, 2);
   if (!arguments.empty()) command.seeds = toCount("SEEDS", arguments[0], kMostRuns);
   if (arguments.size() > 1) command.plot_file = arguments[1];

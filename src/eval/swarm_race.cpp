@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "adaptive_localization/eval/report.hpp"
 #include "adaptive_localization/eval/statistics.hpp"
 #include "adaptive_localization/eval/swarm_fixes.hpp"
 #include "adaptive_localization/swarm/swarm_search.hpp"
@@ -21,18 +22,25 @@ SwarmRaceCell race(const TestFunction& function, const SwarmRacer& racer, int se
   StopRule rule;
   rule.tolerance = kTolerance;
   rule.max_iterations = kMaxIterations;
-  SwarmRaceCell cell{function.name(), racer.name, searchers, seeds};
+  SwarmRaceCell cell{function.name(), racer.name, searchers, {}};
   for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
     Swarm swarm(function.space(), spreadOver(function.space(), searchers, rng), function);
     const SearchResult result = search(swarm, *racer.move, function, rule, rng);
-    cell.iterations += result.iterations / static_cast<double>(seeds);
-    cell.found += result.is_reached ? 1 : 0;
+    cell.runs.push_back({result.iterations, result.is_reached});
   }
   return cell;
 }
 
 }  // namespace
+
+int SwarmRaceCell::found() const {
+  return static_cast<int>(sum(valuesOf(runs, &SwarmRaceRun::is_reached)));
+}
+
+double SwarmRaceCell::iterations() const {
+  return mean(valuesOf(runs, &SwarmRaceRun::iterations));
+}
 
 std::vector<SwarmRacer> swarmRacers() {
   BatOptions repulsive = printedBats();
@@ -97,12 +105,27 @@ std::string toTable(const std::vector<SwarmRaceCell>& cells) {
       table += "\n| " + cell.function + ", " + cell.move + " |";
     }
     char text[64];
-    std::snprintf(text, sizeof text, " %.0f (%.0f) |", cell.iterations,
-                  100.0 * cell.found / cell.runs);
+    std::snprintf(text, sizeof text, " %.0f (%.0f) |", cell.iterations(),
+                  100.0 * cell.found() / static_cast<double>(cell.runs.size()));
     table += text;
     before = &cell;
   }
   return table + "\n";
+}
+
+void to_json(nlohmann::json& json, const SwarmRaceRun& run) {
+  json = {{"iterations", run.iterations}, {"is_reached", run.is_reached}};
+}
+
+void saveJson(const std::vector<SwarmRaceCell>& cells, const std::string& file) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const SwarmRaceCell& cell : cells) {
+    json.push_back({{"function", cell.function},
+                    {"move", cell.move},
+                    {"searchers", cell.searchers},
+                    {"runs", cell.runs}});
+  }
+  saveJson(json, file);
 }
 
 }  // namespace adaptive_localization

@@ -46,7 +46,7 @@ cv::Mat draw(const std::string& function, const std::vector<SwarmRaceCell>& cell
   for (const SwarmRaceCell& cell : cells) {
     if (cell.function != function) continue;
     if (!curves.count(cell.move)) moves.push_back(cell.move);
-    curves[cell.move].push_back(place(cell.searchers, cell.iterations));
+    curves[cell.move].push_back(place(cell.searchers, cell.iterations()));
   }
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const cv::Scalar colour = curveColour(i);

@@ -21,6 +21,7 @@ class Judge : public testing::Test {
       scan.answer.modes = modes_;
       scan.answer.estimate.share_elsewhere = share_elsewhere_;
       scan.particles = 10 * count_;
+      scan.spread = spread_;
       scan.update_ms = count_;
       judge_.observe(scan);
     }
@@ -36,6 +37,7 @@ class Judge : public testing::Test {
   ExperimentJudge judge_{case_};
   std::vector<Mode> modes_;
   double confidence_{0.0}, share_elsewhere_{0.0};
+  std::optional<double> spread_;
   int count_{0};
 };
 
@@ -49,6 +51,25 @@ TEST_F(Judge, NotesParticlesSecondBySecondAndHowOftenTheyAreDrawnElsewhere) {
   const auto result = judge_.finish();
   EXPECT_EQ(result.looks_elsewhere, 12);
   EXPECT_EQ(result.particles_by_s, (std::vector<int>{10, 100, 200}));
+}
+
+TEST_F(Judge, ValidatesTheMeanOfParticlesThatAreTogetherAndNotWrong) {
+  judge_.begin(Trial::Kind::kStart, 0.0, {});
+  see(kRight, Status::kGlobalizing);  // no particles
+  spread_ = 0.15;
+  see(kRight, Status::kGlobalizing);
+  spread_ = 0.13;
+  see(kWrong, Status::kGlobalizing, 2);
+  see(kNearly, Status::kGlobalizing);
+  see(kWrong, Status::kGlobalizing);
+  judge_.begin(Trial::Kind::kKidnap, 0.6, {});
+  see(kWrong, Status::kTracking, 3);
+  const auto trials = judge_.finish().trials;
+  ASSERT_TRUE(trials.at(0).validated_s);
+  EXPECT_NEAR(*trials.at(0).validated_s, 0.5, 1e-9);
+  EXPECT_EQ(trials.at(0).wrongly_validated, 2);
+  EXPECT_FALSE(trials.at(1).validated_s);
+  EXPECT_EQ(trials.at(1).wrongly_validated, 3);
 }
 
 TEST_F(Judge, CountsTheRobotAsFoundFromTheFirstOfThreeRightScans) {

@@ -145,6 +145,12 @@ TEST_F(Experiments, SayWhatTheyWouldRun) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, testing::EndsWith("/amcl: 7 runs\n"));
   EXPECT_THAT(result.output, testing::Not(HasSubstr("kld")));
+  const auto listed = [&](const std::string& word) {
+    return runProgram(EXPERIMENTS, {experiment_, "--list", "--only", word}).output;
+  };
+  EXPECT_THAT(listed("amc"), HasSubstr("/amcl: "));
+  EXPECT_THAT(listed("amc$"), testing::Not(HasSubstr("/amcl")));
+  EXPECT_EQ(listed("/amcl$"), listed("amcl"));
 }
 
 TEST_F(Experiments, SayWhatIsWrong) {

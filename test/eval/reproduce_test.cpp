@@ -16,6 +16,7 @@ using testing::HasSubstr;
 ProgramResult reproduce(const std::vector<std::string>& arguments) {
   setenv("EXPERIMENTS", EXPERIMENTS, 1);
   setenv("SWARM_FIXES", SWARM_FIXES, 1);
+  setenv("SWARM_FUNCTIONS", SWARM_FUNCTIONS, 1);
   return runProgram(SOURCE_DIR "/scripts/reproduce", arguments);
 }
 
@@ -46,11 +47,21 @@ TEST(Reproduce, ComparesFixesOfSwarmsAsWell) {
   EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
 }
 
+TEST(Reproduce, ComparesThePresetsWherePrintHasAPicture) {
+  const TempFolder folder;
+  const ProgramResult result = reproduce({"E7", "--seeds", "4", "--out", folder.file("results")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const std::regex row(
+      R"(\| lbba, Ackley, 20: iterations \|  \| [^|]*n = 4\) \| [^|]*n = 4\) \| better \|)");
+  EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
+}
+
 TEST(Reproduce, NamesWhatItKnows) {
   const ProgramResult unknown = reproduce({"E99"});
   EXPECT_NE(unknown.exit_code, 0);
-  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("'E99'"),
-                                    HasSubstr("E1 E2 E3 E4 E5 E6 E8 E9 E10 E11 E14 E15 E16 E17")));
+  EXPECT_THAT(unknown.errors,
+              AllOf(HasSubstr("'E99'"), HasSubstr("E1 E2 E3 E4 E5 E6 E7 E8 E9 E10 E11 E12 E13 E14 "
+                                                  "E15 E16 E17")));
   const ProgramResult list = reproduce({"--list"});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_THAT(list.output, AllOf(HasSubstr("E4 "), HasSubstr("(Li 2016, T5)")));
@@ -66,7 +77,7 @@ TEST(Reproduce, HasAPageForItsTables) {
     EXPECT_THAT(page, HasSubstr("<!-- " + (*at)[2].str() + " -->\n"));
     EXPECT_THAT(page, HasSubstr("<!-- end of " + (*at)[2].str() + " -->\n"));
   }
-  EXPECT_EQ(count, 14);
+  EXPECT_EQ(count, 17);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Shard {
 };
 
 /// All runs, case by case and core by core; of a shard every n-th. Where words are given, only runs
-/// that have one of them in "experiment/case/core".
+/// that have one of them in "experiment/case/core$", where $ is the end.
 std::vector<PlannedRun> planRuns(const std::vector<Experiment>& experiments, const Shard& shard,
                                  const std::vector<std::string>& words);
 

@@ -30,6 +30,10 @@ struct Trial {
   Pose2 T_map_base;
   std::optional<double> found_s;  // after that the estimate was right, and stayed so for some scans
   std::optional<double> told_s;   // the same, and the status was tracking
+  // The same in the words of Li 2016: after that the mean of the particles was validated, as they
+  // were kValidSpread from it on average, and was not wrong; and scans at which it was, until then.
+  std::optional<double> validated_s;
+  int wrongly_validated{0};
   std::optional<double> within_s;  // the time given for it
   std::optional<double> left_s;    // after that it was wrong, though it was found or known
   int scans{0};

@@ -12,7 +12,7 @@ namespace adaptive_localization {
 struct SwarmFunctionsCommand {
   int seeds{50};
   int first_seed{1};
-  std::string plot_file;
+  std::string plot_file, json_file;
   bool wants_help{false};
 };
 
