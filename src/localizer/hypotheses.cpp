@@ -22,6 +22,7 @@ constexpr double kScaleShare = 0.25;
 constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
+constexpr double kFarBetter = 0.5;       // of the error
 constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
@@ -100,15 +101,16 @@ Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
 /// Of log odds. Where walls are rough, the true place may fit worse than another.
 double Hypotheses::loss(double error, double usual) const {
   const double level = std::max(least_error_, usual);
-  const double off = kTolerance + ground_.field->quality().roughness();
-  const double excess = error - (1.0 + kToleranceShare) * level - off;
-  return std::max(0.0, excess) / std::max(kScale, kScaleShare * level);
+  return std::max(0.0, error - tolerated(level)) / std::max(kScale, kScaleShare * level);
+}
+
+double Hypotheses::tolerated(double level) const {
+  return (1.0 + kToleranceShare) * level + kTolerance + ground_.field->quality().roughness();
 }
 
 /// The better one of two ways to the core's place: from where it was and from where the core is.
 Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
                               const Place& before, double usual) {
-  constexpr double kFarBetter = 0.5;  // of the error
   const Pose2 T_map_core = *hypothesis.T_map_core;
   hypothesis.T_map_core.reset();
   const Place now = alignedWith(refiner, T_map_core);
@@ -194,6 +196,17 @@ void Hypotheses::prune() {
     const bool is_left = is_likely || (is_disputed && hypothesis.is_explained);
     if (is_left && !knows(hypothesis.T_map_base)) all_.push_back(hypothesis);
   }
+}
+
+bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
+  for (const Hypothesis& hypothesis : all_) {  // likeliest first
+    if (!areSamePlace(hypothesis.T_map_base, T_map_core)) continue;
+    const Hypothesis& best = all_.front();
+    const double error = hypothesis.error;
+    return best.log_odds - hypothesis.log_odds > kMargin && best.error < kFarBetter * error &&
+           tolerated(best.error) < error;
+  }
+  return false;
 }
 
 std::vector<Mode> Hypotheses::modes() const {

@@ -67,6 +67,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   confidence_.observe(estimate, observations);
   hypotheses_.ride(motion);
   way_ += wayOf(motion);
+  if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   pace_.travel(wayOf(motion));
   told_.travel(wayOf(motion));
   odds_.checkJump(motion);
@@ -80,13 +81,18 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   unexplained_ = is_unexplained ? unexplained_ + 1 : 0;
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
-    usual_.observe(error);
-    pace_.restart();
+    if (!is_settled_) {
+      usual_.observe(std::min(error, hypotheses_.mostTolerated()));
+    } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost
+      usual_.observe(error);
+    }
+    if (!isAtALoss()) pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
   }
+  if (status_ == Status::kLost) odds_.loseWay(motion);
   if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue())) {
     open(T_map_base_expected);
-  } else if (is_settled_ && unexplained_ > 0) {
+  } else if (is_settled_) {
     pace_.skipScan();
   }
   if (!is_settled_) {
@@ -115,7 +121,7 @@ void Recovery::verify(const Estimate& estimate, const Observations& observations
 bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
   if (had_place && !areSamePlace(expected, T_map_base)) return true;
-  return unexplained_ > 0 && pace_.isOver(error);
+  return (unexplained_ > 0 || isAtALoss()) && pace_.isOver(error);
 }
 
 void Recovery::open(const Pose2& T_map_base) {
@@ -127,7 +133,8 @@ void Recovery::open(const Pose2& T_map_base) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  searched_ = explained_ = false;
+  searched_ = explained_ = has_left_ = false;
+  left_way_ = 0.0;
   contradictions_ = 0;
   way_ = kNewWay;  // the first scan counts in full
   hypotheses_.clear();
@@ -148,9 +155,11 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   modes_ = hypotheses_.modes();
   explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   const bool is_elsewhere = !hypotheses_.knows(T_map_base);
-  const bool is_ruled_out = explained_ && (is_elsewhere || hypotheses_.isCoreBeside());
+  const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
+  const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
   const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
   contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
+  has_left_ = has_left_ || mustMove();
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
@@ -163,7 +172,8 @@ void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = ground_.places->search(observations);
   if (!ground_.places->isReadyFor(observations.scan)) return;  // that was no answer
   told_.checked();
-  const double odds = searched_ ? hypotheses_.entry(kLateMalus) : 0.0;
+  const double malus = std::min(kCoreMalus, kLateMalus * pace_.searches());
+  const double odds = searched_ ? hypotheses_.entry(malus) : 0.0;
   for (const Place& place : places) hypotheses_.add(place.T_map_base, odds);
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
@@ -192,31 +202,6 @@ Status Recovery::judge() const {
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
   if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
   return confidence_.isCompact() && fits ? Status::kTracking : nowhere;
-}
-
-/// The place that a pose is in while several are possible, if it is about as likely as any.
-const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
-  constexpr double kFair = 0.3;  // mass
-  const Mode* mode = status_ == Status::kAmbiguous ? modeAt(T_map_base, modes_) : nullptr;
-  return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
-}
-
-/// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
-/// out and another one, that explains the scan well, is likelier than all others: what a core makes
-/// of a blocked laser is no reason to jump. One that was not stays in one of the likely places.
-bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
-  if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
-  if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
-  if (status_ != Status::kAmbiguous) return false;
-  return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
-         shareOf(T_map_base) > kLikely;
-}
-
-Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const {
-  if (isCorrection(T_map_base_by_odometry, estimate.T_map_base)) return estimate.T_map_base;
-  const Mode* held = heldPlace(T_map_base_by_odometry);
-  return held ? held->T_map_base : T_map_base_by_odometry;
 }
 
 }  // namespace adaptive_localization

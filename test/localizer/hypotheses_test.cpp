@@ -253,5 +253,26 @@ TEST(Hypotheses, TellsThatACoreIsBesideItsPlace) {
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
 }
 
+/// By odds alone nobody is: the likeliest place must fit far better.
+TEST(Hypotheses, ACoreIsOutdoneByAPlaceThatIsLikelierAndFitsFarBetter) {
+  const Pose2 beside = kTruth * Pose2{1.0, 0.4, 0.3};
+  for (const double ahead : {2.0, 20.0}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth, ahead);
+    hypotheses.add(beside, 0.0);
+    hypotheses.weigh(seenAt(kTruth), 0.0, 0.5);  // much is usual, so little is said
+    EXPECT_FALSE(hypotheses.isOutdone(kTruth));
+    EXPECT_EQ(hypotheses.isOutdone(beside), ahead > 6.0);
+    EXPECT_FALSE(hypotheses.isOutdone({7.5, 4.1, 2.0})) << "no place of these";
+  }
+  Hypotheses twins(symmetricWorld());
+  const Pose2 place{1.0, 0.7, 0.4};
+  const Pose2 twin{6.0 - place.x, 3.0 - place.y, wrapAngle(place.theta + kPi)};
+  twins.add(place, 20.0);
+  twins.add(twin, 0.0);
+  twins.weigh(ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), place), 0.0, kUsual);
+  EXPECT_FALSE(twins.isOutdone(twin));
+}
+
 }  // namespace
 }  // namespace adaptive_localization

@@ -266,6 +266,42 @@ TEST(Recovery, APoseStaysAtOneOfTwoEndsThatLookAlike) {
   }
 }
 
+/// It was carried to where two places look alike: which one it is nobody knows, but not the old
+/// one.
+TEST(Recovery, SomeWayAfterItLeftAPlaceThePoseIsOfAPlaceThatIsLeft) {
+  Watched watched(hollow(*toyWorld({"####################",  //
+                                    "#.......#....##....#",  //
+                                    "#.......#....##....#",  //
+                                    "#.......#...###...##",  //
+                                    "#..##...#....##....#",  //
+                                    "#..##...############",  //
+                                    "#.......############",  //
+                                    "#.......############",  //
+                                    "####################"},
+                                   0.05, {}, 10)));
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  Pose2 by_odometry = watched.believed;
+  truth = {5.3, 3.0, 0.3};
+  for (int i = 0; i < 3 && !watched.recovery.mustMove(); ++i) watched.see(truth, watched.believed);
+  ASSERT_TRUE(watched.recovery.mustMove());
+  const auto published = [&] {
+    return watched.recovery.published(by_odometry, {truth, 1e-3 * Eigen::Matrix3d::Identity(), {}});
+  };
+  watched.see(truth, truth);
+  ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous);
+  EXPECT_THAT(published(), PoseNear(by_odometry, 1e-9, 1e-9));
+  for (int i = 0; i < 32; ++i) {  // to and fro
+    const Pose2 motion{i % 4 < 2 ? 0.1 : -0.1, 0.0, 0.0};
+    truth = truth * motion;
+    by_odometry = by_odometry * motion;
+    watched.see(truth, truth, motion);
+    ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous) << i;
+  }
+  EXPECT_THAT(published(), PoseNear(truth, 1e-9, 1e-9));
+}
+
 /// As on a poor map: what is published must not be worse than what a core makes of it alone.
 TEST(Recovery, WhileNoScanFitsThePoseIsWhereTheCoreHasIt) {
   Watched watched(asymmetricWorld());

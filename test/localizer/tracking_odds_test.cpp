@@ -53,4 +53,18 @@ TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
   EXPECT_EQ(odds.value(), 0.0);
 }
 
+TEST(TrackingOdds, AreSpentByTheWayOfALostRobot) {
+  TrackingOdds odds(true);
+  EXPECT_FALSE(odds.areSpent());
+  odds.loseWay({1.0, 0.0, 2.0});  // a turn is no way
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(true).value() - 1.0);
+  for (int i = 0; i < 10; ++i) odds.loseWay({1.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(false).value());  // what a search would tell
+  EXPECT_TRUE(odds.areSpent());
+  for (int i = 0; i < 30; ++i) odds.seeNothing();
+  const double less = odds.value();
+  odds.loseWay({1.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(odds.value(), less);
+}
+
 }  // namespace adaptive_localization

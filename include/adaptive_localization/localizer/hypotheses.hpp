@@ -61,6 +61,9 @@ class Hypotheses {
   /// The least mean range error of the last scan, m.
   double leastError() const { return least_error_; }
 
+  /// The largest error of the last scan that speaks against no place, by the best one alone, m.
+  double mostTolerated() const { return tolerated(least_error_); }
+
   void ride(const Pose2& motion);
 
   /// Where a core is: its place will be looked for from there, too.
@@ -68,6 +71,9 @@ class Hypotheses {
 
   /// The core is beside its place: a step away the last scan fits far better.
   bool isCoreBeside() const { return is_core_beside_; }
+
+  /// By the odds a core is not where it is, and the last scan fits the likeliest place far better.
+  bool isOutdone(const Pose2& T_map_core) const;
 
   /// Aligns all with a scan and takes note of what it and the other senses say of them.
   void weigh(const Observations& observations, double share, double usual);
@@ -97,6 +103,7 @@ class Hypotheses {
                     double usual);
 
   double loss(double error, double usual) const;
+  double tolerated(double level) const;
   void align(const PlaceRefiner& refiner, double usual);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 

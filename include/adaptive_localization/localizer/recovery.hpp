@@ -82,6 +82,7 @@ class Recovery {
 
   void open(const Pose2& T_map_base);
   void settle();
+  bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
   void race(const Pose2& T_map_base, const Observations& observations);
   void search(const Observations& observations);
@@ -110,6 +111,8 @@ class Recovery {
   TrackingOdds odds_;
   double way_{0.0};  // since the last scan that counted, m or rad
 
+  bool has_left_{false};        // the place that was believed in when the race was opened,
+  double left_way_{0.0};        // so long a way ago, m
   bool searched_{false};        // since the race was opened, and something was found
   bool explained_{false};       // some place explains the last scan
   int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,

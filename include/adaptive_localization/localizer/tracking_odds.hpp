@@ -10,7 +10,8 @@ namespace adaptive_localization {
 
 /// Log odds of the core's place against any other, before a scan is looked at. An initial pose
 /// starts with what somebody's word is worth; tracking earns more, metre by metre; a scan that sees
-/// nothing takes some away, and odometry that jumps takes all.
+/// nothing takes some away, so does the way that a lost robot drives, and odometry that jumps takes
+/// all.
 class TrackingOdds {
  public:
   TrackingOdds() = default;
@@ -31,6 +32,14 @@ class TrackingOdds {
     value_ = std::max(value_, std::min(kMost, earned));
   }
 
+  void loseWay(const Pose2& motion) {
+    const double left = value_ - kPerMetreLost * std::hypot(motion.x, motion.y);
+    value_ = std::max(std::min(value_, kFound), left);
+  }
+
+  /// No more is known of the place than a search for it would tell.
+  bool areSpent() const { return value_ <= kFound; }
+
   void seeNothing() { value_ *= 0.9; }
 
   /// Nobody drives so far from one update to the next.
@@ -46,7 +55,8 @@ class TrackingOdds {
   }
 
  private:
-  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 18.0, kPerMetre = 3.0;
+  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 18.0;
+  static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};
   double word_{0.0};
