@@ -40,6 +40,14 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
   return is_better ? moved : stayed;
 }
 
+/// The likeliest of some hypotheses that is the same place as a pose, or the end.
+template <class All>
+auto at(All& all, const Pose2& T_map_base) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& hypothesis) {
+    return areSamePlace(hypothesis.T_map_base, T_map_base);
+  });
+}
+
 }  // namespace
 
 void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
@@ -55,17 +63,16 @@ void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
 }
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
-  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
-    return areSamePlace(hypothesis.T_map_base, T_map_base);
-  });
+  return at(all_, T_map_base) != all_.end();
 }
 
-double Hypotheses::entry(double malus) const {
+double Hypotheses::entry(double malus, const TrackingOdds& odds) const {
   double best = all_.empty() ? 0.0 : all_.front().log_odds;
   double told = 0.0;
   for (const Hypothesis& hypothesis : all_) {
     best = std::max(best, hypothesis.log_odds);
-    if (hypothesis.prior > 0.0) told = std::min(told, hypothesis.log_odds - hypothesis.prior);
+    const double prior = std::min(hypothesis.prior, odds.value());
+    if (hypothesis.prior > 0.0) told = std::min(told, hypothesis.log_odds - prior);
   }
   return std::min(told, best - malus);
 }
@@ -81,11 +88,8 @@ void Hypotheses::ride(const Pose2& motion) {
 }
 
 void Hypotheses::note(const Pose2& T_map_core) {
-  for (Hypothesis& hypothesis : all_) {  // likeliest first
-    if (!areSamePlace(hypothesis.T_map_base, T_map_core)) continue;
-    hypothesis.T_map_core = T_map_core;
-    return;
-  }
+  const auto place = at(all_, T_map_core);
+  if (place != all_.end()) place->T_map_core = T_map_core;
 }
 
 Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
@@ -199,14 +203,11 @@ void Hypotheses::prune() {
 }
 
 bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
-  for (const Hypothesis& hypothesis : all_) {  // likeliest first
-    if (!areSamePlace(hypothesis.T_map_base, T_map_core)) continue;
-    const Hypothesis& best = all_.front();
-    const double error = hypothesis.error;
-    return best.log_odds - hypothesis.log_odds > kMargin && best.error < kFarBetter * error &&
-           tolerated(best.error) < error;
-  }
-  return false;
+  const auto core = at(all_, T_map_core);
+  if (core == all_.end()) return false;
+  const Hypothesis& best = all_.front();
+  return best.log_odds - core->log_odds > kMargin && best.error < kFarBetter * core->error &&
+         tolerated(best.error) < core->error;
 }
 
 std::vector<Mode> Hypotheses::modes() const {

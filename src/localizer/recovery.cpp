@@ -88,8 +88,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     }
     if (!isAtALoss()) pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
+    if (status_ == Status::kLost) odds_.loseWay(motion);
   }
-  if (status_ == Status::kLost) odds_.loseWay(motion);
   if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue())) {
     open(T_map_base_expected);
   } else if (is_settled_) {
@@ -144,7 +144,7 @@ void Recovery::settle() {
 /// Where the core believes to be counts as well, whether the search finds it or not.
 void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   hypotheses_.note(T_map_base);
-  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus));
+  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
   // while no place explains the scans each may be the one that tells, but searching is not free
   const bool has_places = searched_ && explained_;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
@@ -172,8 +172,7 @@ void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = ground_.places->search(observations);
   if (!ground_.places->isReadyFor(observations.scan)) return;  // that was no answer
   told_.checked();
-  const double malus = std::min(kCoreMalus, kLateMalus * pace_.searches());
-  const double odds = searched_ ? hypotheses_.entry(malus) : 0.0;
+  const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
   for (const Place& place : places) hypotheses_.add(place.T_map_base, odds);
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);

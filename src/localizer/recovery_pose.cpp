@@ -15,13 +15,14 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
 
 /// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
 /// out and another one, that explains the scan well, is likelier than all others: what a core makes
-/// of a blocked laser is no reason to jump. One that was not, or that left such a place some way
-/// ago, stays in one of the likely places.
+/// of a blocked laser is no reason to jump. One that was not stays in one of the likely places; so
+/// does one that left such a place some way ago, if the core is in one.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
   constexpr double kFarFromIt = 3.0;                               // m, of way
   if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
-  if (!was_tracking_ || left_way_ > kFarFromIt) return !heldPlace(T_map_base_by_odometry);
+  if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
+  if (left_way_ > kFarFromIt && heldPlace(T_map_base)) return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;
   return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
          shareOf(T_map_base) > kLikely;

@@ -180,7 +180,8 @@ TEST_P(FewScans, AreEnough) {
 INSTANTIATE_TEST_SUITE_P(RecordedData, FewScans, testing::Values(&kBirmingham0, &kBirmingham1));
 
 // Twice the odometry says forward while the robot backs up by a metre, and walls are 0.1 m thicker
-// than they should be: no core keeps the place, but none may call a wrong one "tracking" for long.
+// than they should be: no core keeps the place, but none may call a wrong one "tracking" for long,
+// and both are back at the end.
 const Drive kWrongOdometry{"fr079", "fr079.bag",     "map_full.yaml",   0.0,
                            1500.0,  "--truth-topic", "/reference_pose", 10.0};
 
@@ -193,6 +194,8 @@ TEST_P(WrongOdometry, IsNotCalledTrackingForLong) {
   EXPECT_GT(told.at("scans"), 500);
   EXPECT_GT(told.at("tracking_share"), 0.5) << told;
   EXPECT_LT(told.at("misled_longest_s"), 15.0) << told;
+  EXPECT_LT(told.at("lost_share"), 0.3) << told;
+  EXPECT_LT(told.at("final_error_m"), 0.3) << told;
 }
 
 INSTANTIATE_TEST_SUITE_P(RecordedData, WrongOdometry, testing::Values("sa_kld", "ekf_icp"),

@@ -219,12 +219,27 @@ TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {
 
 TEST(Hypotheses, APlaceThatComesLateHasNoAdvantage) {
   Hypotheses hypotheses(roomWithCupboard());
-  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0), -3.0);
-  hypotheses.addKept(kBeforeTheCupboard, tracked(1.0));
-  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0), 0.0);
+  const TrackingOdds odds = tracked(1.0);
+  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0, odds), -3.0);
+  hypotheses.addKept(kBeforeTheCupboard, odds);
+  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0, odds), 0.0);
   hypotheses.add(kTwin, 0.0);
   for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), 1.0, kUsual);
-  EXPECT_NEAR(hypotheses.entry(3.0), -0.6, 1e-9);  // what the kept one has lost
+  EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.6, 1e-9);  // what the kept one has lost
+}
+
+/// A robot that drove on while it was lost: its place has less left to lose.
+TEST(Hypotheses, WhatAKeptPlaceHasLostCountsAsLongAsItsOddsAreLeft) {
+  Hypotheses hypotheses(roomWithCupboard());
+  TrackingOdds odds = tracked(1.0);  // 12 nats
+  hypotheses.addKept(kBeforeTheCupboard, odds);
+  hypotheses.add(kTwin, 0.0);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), 1.0, kUsual);
+  EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.6, 1e-9);
+  odds.loseWay(Pose2{0.2, 0.0, 0.0});
+  EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.4, 1e-9);
+  odds.loseWay(Pose2{1.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(hypotheses.entry(3.0, odds), 0.0);
 }
 
 /// As where a wall is missing on the map: another place would show through walls.
@@ -235,7 +250,7 @@ TEST(Hypotheses, AKeptPlaceWhereSomethingWasBroughtLosesLeast) {
   hypotheses.addKept(kTwin, tracked(1.0));
   hypotheses.add(kBeforeTheCupboard, 0.0);
   for (int i = 0; i < 3; ++i) hypotheses.weigh(seen, 1.0, kUsual);
-  EXPECT_NEAR(hypotheses.entry(3.0), -0.6, 1e-9);  // what the kept one has lost
+  EXPECT_NEAR(hypotheses.entry(3.0, tracked(1.0)), -0.6, 1e-9);  // what the kept one has lost
   hypotheses.prune();
   EXPECT_GT(massOf(hypotheses, kTwin), 0.99);
   EXPECT_TRUE(hypotheses.knows(kBeforeTheCupboard));

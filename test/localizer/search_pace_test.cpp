@@ -22,17 +22,6 @@ TEST(SearchPace, SlowsDownWhileNothingComesOfIt) {
   EXPECT_TRUE(pace.isDue(false));
 }
 
-TEST(SearchPace, CountsTheSearchesOfARace) {
-  SearchPace pace;
-  pace.begin();
-  EXPECT_EQ(pace.searches(), 0);
-  pace.searched(true, 0.02);
-  pace.searched(false, 0.5);
-  EXPECT_EQ(pace.searches(), 2);
-  pace.begin();
-  EXPECT_EQ(pace.searches(), 0);
-}
-
 TEST(SearchPace, APauseEndsEarlyWhereAScanFitsFarWorse) {
   SearchPace pace;
   pace.begin();

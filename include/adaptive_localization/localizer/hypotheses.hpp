@@ -51,8 +51,9 @@ class Hypotheses {
   bool knows(const Pose2& T_map_base) const;
 
   /// Log odds of a place that comes later, as if it had fitted as well as the best so far, but for
-  /// a malus: a kept place is ruled out by what is seen from then on.
-  double entry(double malus) const;
+  /// a malus: a kept place is ruled out by what is seen from then on. Of the odds that it started
+  /// with, no more counts than is left of them by now.
+  double entry(double malus, const TrackingOdds& odds) const;
 
   /// Whether somebody's word is for one of the places: later places are no better than those that
   /// explained the first scan as well as it did.

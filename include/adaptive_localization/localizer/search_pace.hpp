@@ -22,7 +22,7 @@ class SearchPace {
 
   /// The race begins: the next scan is searched for.
   void begin() {
-    scans_left_ = searches_ = 0;
+    scans_left_ = 0;
     way_ = 0.0;
     error_ = RangeError::kTruncation;
   }
@@ -42,9 +42,6 @@ class SearchPace {
   /// The race is over: a scan fits the core's place as badly as this, m, and no other better.
   void findNothingBetter(double error) { error_without_better_ = error; }
 
-  /// Since the race began.
-  int searches() const { return searches_; }
-
   /// One scan later.
   bool isDue(bool has_places) { return has_places ? way_ > kWay : --scans_left_ < 0; }
 
@@ -54,7 +51,6 @@ class SearchPace {
 
   /// Takes note of a search, and how badly the scan fits the best place that it found, m.
   void searched(bool has_come_to_something, double error) {
-    ++searches_;
     pause_ = has_come_to_something ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
     scans_left_ = pause_;
     way_ = 0.0;
@@ -68,7 +64,6 @@ class SearchPace {
   static constexpr int kLongestPause = 8;
 
   int pause_{0};
-  int searches_{0};  // since the race began
   int scans_left_{0};
   double way_{0.0};
   double error_without_better_{RangeError::kTruncation};

@@ -10,8 +10,8 @@ namespace adaptive_localization {
 
 /// Log odds of the core's place against any other, before a scan is looked at. An initial pose
 /// starts with what somebody's word is worth; tracking earns more, metre by metre; a scan that sees
-/// nothing takes some away, so does the way that a lost robot drives, and odometry that jumps takes
-/// all.
+/// nothing takes some away, so does the way that a lost robot drives while its scans look as usual,
+/// and odometry that jumps takes all.
 class TrackingOdds {
  public:
   TrackingOdds() = default;
