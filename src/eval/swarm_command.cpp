@@ -53,6 +53,9 @@ void takeChoices(std::vector<std::string>& arguments, SwarmFixPlan& plan) {
   for (const std::string& text : takeAll(arguments, "--updates")) {
     plan.updates = toCount("--updates", text, kMostRuns);
   }
+  for (const std::string& text : takeAll(arguments, "--noise")) {
+    plan.noise = toNumber("--noise", text, {0.0, 1.0}, "0 to 1 m");
+  }
   const auto searchers = takeAll(arguments, "--searchers");
   if (!searchers.empty()) plan.searchers.clear();
   for (const std::string& text : searchers) {
@@ -88,6 +91,7 @@ std::string swarmFixesUsage() {
          "  --swarm NAME       a swarm alone, as the table names it; only those that are given\n"
          "  --filter NAME      a whole core, or with another preset, as lbba/seed or mcl/fp\n"
          "  --updates N        of a whole core at the most, by a scan each (default 500)\n"
+         "  --noise METRES     of a range, standard deviation (default 0.031); 0: exact ranges\n"
          "  --json FILE        writes all runs\n"
          "  --help             print this\n";
 }

@@ -10,13 +10,14 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kBeams = 11;
-constexpr double kMaxRange = 10.0, kNoise = 0.031;  // m
-constexpr double kRadius = 0.2;                     // m, of the robot
+constexpr double kMaxRange = 10.0;  // m
+constexpr double kRadius = 0.2;     // m, of the robot
 
 }  // namespace
 
-SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution)
+SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution, double noise)
     : world_file_(world_file),
+      noise_(noise),
       world_(makeWorld(loadFloorPlan(world_file), false)),
       free_space_(world_, kRadius),
       map_(std::make_shared<const OccupancyGrid>(rasterize(loadFloorPlan(world_file), resolution))),
@@ -47,7 +48,7 @@ Observations SwarmFixScene::observe(const Pose2& T_map_base, Rng& rng) const {
   for (int i = 0; i <= 180; ++i) {
     const double theta = T_map_base.theta + message.angle_min + i * message.angle_increment;
     const double range = world_->range({T_map_base.x, T_map_base.y, theta}, 2.0 * kMaxRange);
-    message.ranges.push_back(static_cast<float>(range + rng.normal(0.0, kNoise)));
+    message.ranges.push_back(static_cast<float>(range + rng.normal(0.0, noise_)));
   }
   Observations observations;
   observations.scan = toScan(message, LaserMount{}, ScanOptions{});

@@ -19,8 +19,8 @@ namespace adaptive_localization {
 /// A world with a laser in it that somebody has to find in a map of that world.
 class SwarmFixScene {
  public:
-  /// From a floor plan's YAML file; cells of the map in m.
-  SwarmFixScene(const std::string& world_file, double resolution);
+  /// From a floor plan's YAML file; cells of the map and standard deviation of a range in m.
+  SwarmFixScene(const std::string& world_file, double resolution, double noise);
 
   /// Anywhere on free ground.
   Pose2 place(Rng& rng) const;
@@ -46,6 +46,7 @@ class SwarmFixScene {
 
  private:
   std::string world_file_;
+  double noise_;
   std::shared_ptr<const World> world_;
   FreeSpace free_space_;
   std::shared_ptr<const OccupancyGrid> map_;

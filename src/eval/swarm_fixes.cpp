@@ -160,7 +160,7 @@ double SwarmFixCell::meanIterations() const {
 }
 
 std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
-  const SwarmFixScene scene(plan.world, plan.resolution);
+  const SwarmFixScene scene(plan.world, plan.resolution, plan.noise);
   std::vector<SwarmFixCell> cells;
   const std::vector<SwarmRacer> racers = swarmRacers(plan.swarms);
   for (const std::string& start : plan.starts) {

@@ -45,6 +45,11 @@ TEST(Reproduce, ComparesFixesOfSwarmsAsWell) {
   const std::regex row(
       R"(\| lbba, seed, mm \| 2\.3098 \| [^|]*n = [12][^|]*\| [0-9.]+ \([^|]*n = 2\) \|)");
   EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
+  const std::regex exact(
+      R"(\| lbba, seed, exact ranges, mm \| 2\.3098 \| [^|]*\| ([0-9.]+) \([^|]*n = 2\) \|)");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(result.output, found, exact)) << result.output;
+  EXPECT_LT(std::stod(found[1]), 2.3);  // mm, below print
 }
 
 TEST(Reproduce, ComparesThePresetsWherePrintHasAPicture) {

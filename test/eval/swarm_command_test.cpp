@@ -61,11 +61,13 @@ TEST(SwarmCommand, ReadsTheFirstSeedWhereverItStands) {
 TEST(SwarmCommand, ReadsWhichSwarmsAndFiltersTakePart) {
   const SwarmFixPlan all = parseSwarmFixes({"w.yaml", "0.1"}).plan;
   EXPECT_EQ(all.swarms, swarmNames());
-  const auto command =
-      parseSwarmFixes({"w.yaml", "0.1", "9", "--filter", "mcl/fp", "--searchers", "20",
-                       "--searchers", "400", "--json", "fixes.json", "--updates", "7"});
+  const auto command = parseSwarmFixes({"w.yaml", "0.1", "9", "--filter", "mcl/fp", "--searchers",
+                                        "20", "--searchers", "400", "--json", "fixes.json",
+                                        "--updates", "7", "--noise", "0"});
   EXPECT_EQ(command.plan.updates, 7);
   EXPECT_EQ(all.updates, 500);
+  EXPECT_EQ(command.plan.noise, 0.0);
+  EXPECT_EQ(all.noise, 0.031);
   EXPECT_THAT(command.plan.swarms, testing::IsEmpty());
   EXPECT_THAT(command.plan.filters, testing::ElementsAre("mcl/fp"));
   EXPECT_THAT(command.plan.searchers, testing::ElementsAre(20, 400));

@@ -48,6 +48,7 @@ struct SwarmFixCell {
 struct SwarmFixPlan {
   std::string world;        // YAML file of a floor plan
   double resolution{0.05};  // m, of the map
+  double noise{0.031};      // m, standard deviation of a range
   int runs{30};
   int first_seed{1};
   std::vector<int> searchers{20, 400, 800, 1200, 1600, 2000};
@@ -59,7 +60,7 @@ struct SwarmFixPlan {
   bool is_torus{false};
 };
 
-/// Experiments E8 to E11: a laser that stands anywhere, scans of 11 beams with 31 mm of noise, and
+/// Experiments E8 to E11: a laser that stands anywhere, scans of 11 beams with noise, and
 /// searchers that are the same for all kinds of swarms: spread over all free space, over the scan's
 /// SER, or round the places of the global search, which look at all beams. It ends at 3 per cent of
 /// mean relative deviation or after 500 iterations. Filters that may start anywhere are updated
