@@ -38,7 +38,7 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   result.stamp = log_scan.scan.stamp;
   result.T_odom_base = log_scan.T_odom_base;
   result.T_map_base = answer.T_map_base;
-  result.covariance = answer.estimate.covariance;
+  result.covariance = answer.covariance;
   result.T_map_base_reference = log_scan.T_map_base;
   result.confidence = answer.confidence;
   result.status = answer.status;

@@ -24,6 +24,14 @@ Estimate finite(Estimate estimate) {
   throw std::runtime_error("the filter's estimate is not a finite pose");
 }
 
+/// Of an estimate, about another pose than its own: it is farther off by all that is between them.
+Eigen::Matrix3d covarianceAbout(const Pose2& T_map_base, const Estimate& estimate) {
+  const Pose2& mean = estimate.T_map_base;
+  const Eigen::Vector3d off(mean.x - T_map_base.x, mean.y - T_map_base.y,
+                            wrapAngle(mean.theta - T_map_base.theta));
+  return estimate.covariance + off * off.transpose();
+}
+
 /// Particles around places, as many around each as its mass says.
 Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
   Particles particles(count);
@@ -114,6 +122,7 @@ void Localizer::reset(const Prior& prior) {
   last_.status = Status::kGlobalizing;
   last_.estimate = filter_->estimate();
   last_.T_map_base = last_.estimate.T_map_base;
+  last_.covariance = last_.estimate.covariance;
 }
 
 void Localizer::setMap(Ground ground) {
@@ -157,15 +166,17 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   if (first || update_requested_ || gateOpens(motion, observations)) {
     updateBelief(motion, observations);
     T_odom_base_at_update_ = T_odom_base;
-    const Pose2 by_odometry = last_.T_map_odom * T_odom_base;
+    const Pose2& T_map_core = last_.estimate.T_map_base;
+    const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base;
     const Pose2 T_map_base = setup_.options.recovery
                                  ? recovery_->published(by_odometry, last_.estimate)
-                                 : last_.estimate.T_map_base;
+                                 : T_map_core;
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
+    conclude(T_map_base);
     update_requested_ = false;
   } else if (recovery_->isUnverified(observations.scan)) {  // even where the robot stands still
     recovery_->verify(last_.estimate, observations);
-    conclude();
+    conclude(last_.T_map_odom * *T_odom_base_at_update_);
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
@@ -183,7 +194,6 @@ void Localizer::updateBelief(const Pose2& motion, const Observations& observatio
   last_.estimate = askCore(motion, observations);
   recovery_->observe(motion, T_map_base_expected, last_.estimate, observations);
   if (setup_.options.recovery && recovery_->mustMove()) moveBelief();
-  conclude();
   last_.updated = true;
 }
 
@@ -210,11 +220,13 @@ void Localizer::moveBelief() {
   last_.estimate = filter_->estimate();
 }
 
-void Localizer::conclude() {
+/// About the pose that is published as of the last update.
+void Localizer::conclude(const Pose2& T_map_base) {
+  last_.covariance = covarianceAbout(T_map_base, last_.estimate);
   last_.status = recovery_->status();
   is_anywhere_ = is_anywhere_ && last_.status != Status::kTracking;
   last_.modes = recovery_->modes().empty() ? last_.estimate.modes : recovery_->modes();
-  last_.confidence = recovery_->confidence(last_.estimate.T_map_base);
+  last_.confidence = recovery_->confidence(T_map_base, last_.estimate.T_map_base);
 }
 
 }  // namespace adaptive_localization

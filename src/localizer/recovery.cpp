@@ -31,6 +31,7 @@ void Recovery::reset(const Prior& prior) {
   const bool is_told = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   was_tracking_ = false;
+  left_.reset();
   told_ = ToldPose(is_told);
   odds_ = TrackingOdds(is_told);
   unexplained_ = unfit_ = 0;
@@ -68,6 +69,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   hypotheses_.ride(motion);
   way_ += wayOf(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
+  if (left_) left_ = *left_ * motion;
+  if (is_settled_ && odds_.isKept()) left_.reset();
   pace_.travel(wayOf(motion));
   told_.travel(wayOf(motion));
   odds_.checkJump(motion);
@@ -129,6 +132,7 @@ void Recovery::open(const Pose2& T_map_base) {
   is_settled_ = false;
   pace_.begin();
   hypotheses_.addKept(T_map_base, odds_);
+  if (left_) hypotheses_.add(*left_, 0.0);
 }
 
 void Recovery::settle() {
@@ -153,19 +157,27 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
-  explained_ = hypotheses_.leastError() < std::max(kExplained, usual_.limit());
+  explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   const bool is_elsewhere = !hypotheses_.knows(T_map_base);
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
   const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
   contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
-  has_left_ = has_left_ || mustMove();
+  if (mustMove() && !has_left_) leave(T_map_base);
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
+  if (has_left_) odds_ = TrackingOdds();  // those were of the place that was left
   settle();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
+}
+
+/// A place that the robot was known to be in stays in the race until the one in its stead is known
+/// as well: if that is doubted, it is one of those that are compared.
+void Recovery::leave(const Pose2& T_map_base) {
+  has_left_ = true;
+  if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = T_map_base;
 }
 
 void Recovery::search(const Observations& observations) {

@@ -47,7 +47,7 @@ void EstimatePublisher::publish(const Localization& answer, const Particles& par
     geometry_msgs::PoseWithCovarianceStamped pose;
     pose.header.stamp = stamp;
     pose.header.frame_id = options_.global_frame_id;
-    pose.pose = toMessage(answer.T_map_base, answer.estimate.covariance);
+    pose.pose = toMessage(answer.T_map_base, answer.covariance);
     pose_.publish(pose);
 
     geometry_msgs::PoseArray cloud = toMessage(particles);

@@ -101,7 +101,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   if (answer.status != Status::kUninitialised) {
     publisher_.publish(answer, particles, stamp);
     if (answer.updated) publisher_.publishLeaders(localizer_->leaders(), stamp);
-    pose_keeper_.keep({answer.T_map_base, answer.estimate.covariance}, stamp);
+    pose_keeper_.keep({answer.T_map_base, answer.covariance}, stamp);
   }
   const Match* match = localizer_->match();
   publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts());
@@ -127,7 +127,7 @@ void LocalizationNode::startAround(const Localization& known) {
   constexpr int kTrial = 20;
   if (known.status == Status::kUninitialised) return;
   if (known.status == Status::kGlobalizing && is_anywhere_) return start(Anywhere{});
-  const Eigen::Matrix3d wider = known.estimate.covariance + options_.initialPose().covariance;
+  const Eigen::Matrix3d wider = known.covariance + options_.initialPose().covariance;
   start(Gaussian2{known.T_map_base, wider});
   updates_on_trial_ = kTrial;
 }
@@ -160,7 +160,7 @@ NodeHealth LocalizationNode::health() const {
   health.is_as_told = wants_pose && health.missing.empty();
   if (wants_pose) lack("an initial pose");
   if (answer_ && answer_->status != Status::kUninitialised) {
-    health.covariance = answer_->estimate.covariance;
+    health.covariance = answer_->covariance;
   }
   if (const Match* match = localizer_ ? localizer_->match() : nullptr) health.match = match->fault;
   return health;

@@ -101,6 +101,27 @@ TEST_F(KidnappedRobot, WithACoveredLaserIsWhereOdometrySays) {
   }
 }
 
+/// As long as a pose is kept that a core has left, nobody is told that it is as sure as the core
+/// is.
+TEST_F(KidnappedRobot, KeepsAPoseWithACovarianceOfItsOwn) {
+  int kept = 0;
+  for (const std::string& core : kCoresThatRecover) {
+    const auto localizer = makeTracking(core);
+    for (int i = 0; i < 4; ++i) {
+      const Localization answer = update(*localizer, {}, seenFrom(kThere));
+      const Pose2& mean = answer.estimate.T_map_base;
+      const Eigen::Vector3d off(mean.x - answer.T_map_base.x, mean.y - answer.T_map_base.y,
+                                wrapAngle(mean.theta - answer.T_map_base.theta));
+      const Eigen::Matrix3d expected = answer.estimate.covariance + off * off.transpose();
+      EXPECT_TRUE(answer.covariance.isApprox(expected, 1e-9)) << core << ", scan " << i;
+      if (off.norm() < 1.0) continue;
+      ++kept;
+      EXPECT_LT(answer.confidence, 0.1) << core << ", scan " << i;
+    }
+  }
+  EXPECT_GT(kept, 0);
+}
+
 TEST_F(KidnappedRobot, ThatMayBeAnywhereIsFoundInTheFirstScan) {
   for (const std::string core : {"amcl", "sa_kld", "ekf_icp", "lbba"}) {
     const auto localizer = make(core);

@@ -118,17 +118,6 @@ TEST(Recovery, PlacesThatLookTheSameNeverDriftApart) {
   }
 }
 
-TEST(Recovery, ARobotThatStandsStillLearnsNothingNew) {
-  Watched watched(symmetricWorld());
-  watched.recovery.reset(Anywhere{});
-  const Pose2 truth{2.3, 1.0, 0.0};
-  watched.believed = truth;
-  watched.see(truth, truth);
-  const double share = watched.shareOf(truth);
-  for (int i = 0; i < 20; ++i) watched.see({2.31, 1.0, 0.01}, truth);
-  EXPECT_DOUBLE_EQ(watched.shareOf(truth), share);
-}
-
 TEST(Recovery, SomebodysWordHoldsAgainstATwin) {
   Watched watched(symmetricWorld());
   Pose2 truth{2.3, 1.0, 0.0};
@@ -321,28 +310,115 @@ TEST(Recovery, WhileNoScanFitsThePoseIsWhereTheCoreHasIt) {
   EXPECT_EQ(watched.recovery.published(by_odometry, core).y, truth.y);
   const Estimate far{{7.5, 4.1, 2.0}, Eigen::Matrix3d::Identity(), {}};
   EXPECT_EQ(watched.recovery.published(by_odometry, far).y, by_odometry.y);
+  EXPECT_EQ(watched.recovery.confidence(by_odometry, far.T_map_base), 0.0);
+  EXPECT_EQ(watched.recovery.confidence(truth, truth), watched.recovery.fit().value());
 }
 
+/// A room, and a hall beside it in which a short-sighted laser sees where along it is only by the
+/// block.
+std::shared_ptr<const OccupancyGrid> hallWorld() {
+  return hollow(*toyWorld({"################################",  //
+                           "#.......#......................#",  //
+                           "#..###..#......................#",  //
+                           "#....#..#...##.................#",  //
+                           "#.......#...##.................#",  //
+                           "################################"},
+                          0.05, {}, 10));
+}
+
+constexpr Pose2 kAtTheBlock{6.6, 2.2, 0.0}, kFarther{2.0, 0.0, 0.0};
+
+struct WatchedInTheHall : Watched {
+  WatchedInTheHall() : Watched(hallWorld()) { laser.max_range = 4.0; }
+
+  /// How many places are left once the core jumps along the hall.
+  std::size_t placesAfterAJumpFrom(const Pose2& truth) {
+    see(truth, truth * kFarther);
+    return recovery.modes().size();
+  }
+};
+
 TEST(Recovery, OddsOfTrackingGrowWithTheWay) {
-  const Pose2 twin_side{2.3, 1.0, 0.0};
-  double before = 0.0;
-  for (const double metres : {0.05, 1.0, 3.0}) {
-    Watched watched(symmetricWorld());
-    Pose2 truth = twin_side;
-    watched.recovery.reset(Gaussian2{truth, Eigen::Matrix3d::Identity()});
+  for (const double metres : {0.5, 4.0}) {
+    WatchedInTheHall watched;
+    Pose2 truth = kAtTheBlock;
+    watched.recovery.reset(Anywhere{});
     watched.believed = truth;
     watched.see(truth, truth);
-    for (double way = 0.0; way < metres; way += 0.1) {
-      const Pose2 motion{std::fmod(way, 1.0) < 0.5 ? 0.1 : -0.1, 0.0, 0.0};
-      truth = truth * motion;
-      watched.see(truth, truth, motion);
+    ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+    watched.track(truth, metres);
+    const std::size_t left = watched.placesAfterAJumpFrom(truth);
+    if (metres < 1.0) {
+      EXPECT_GT(left, 1U);
+    } else {
+      EXPECT_EQ(left, 1U);
     }
-    watched.see(truth, twinOf(truth));  // the core jumps to the twin
-    const double here = watched.shareOf(truth);
-    EXPECT_GE(here, before) << metres;
-    EXPECT_GT(here, 0.5) << metres;
-    before = here;
+    EXPECT_GT(watched.shareOf(truth), 0.5);
   }
+}
+
+/// It was told to be farther along the hall, where most of the scan fits.
+TEST(Recovery, ARobotThatStandsStillLearnsNothingNew) {
+  WatchedInTheHall watched;
+  Pose2 truth = kAtTheBlock;
+  Pose2 told = truth * kFarther;
+  watched.tell(told);
+  watched.see(truth, told);
+  const double share = watched.shareOf(told);
+  EXPECT_GT(share, 0.5);
+  for (int i = 0; i < 20; ++i) watched.see(truth, told);
+  EXPECT_DOUBLE_EQ(watched.shareOf(told), share);
+  EXPECT_FALSE(watched.recovery.mustMove());
+  const Pose2 motion{-0.3, 0.0, 0.0};
+  truth = truth * motion;
+  told = told * motion;
+  watched.see(truth, told, motion);
+  EXPECT_LT(watched.shareOf(told), share);
+}
+
+TEST(Recovery, APlaceThatIsFoundDoesNotInheritTheOddsOfTheOneThatWasLeft) {
+  WatchedInTheHall watched;
+  Pose2 truth{0.8, 0.75, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  truth = kAtTheBlock;
+  for (int i = 0; i < 3 && !watched.recovery.mustMove(); ++i) watched.see(truth, watched.believed);
+  ASSERT_TRUE(watched.recovery.mustMove());
+  watched.see(truth, truth);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  watched.track(truth, 0.5);
+  EXPECT_GT(watched.placesAfterAJumpFrom(truth), 1U);
+}
+
+/// Two scans told lies: the core was moved to where they seemed to be from.
+TEST(Recovery, APlaceThatWasLeftIsAmongThoseThatAreComparedNext) {
+  WatchedInTheHall watched;
+  Pose2 truth{0.8, 0.75, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 1.5);
+  Pose2 wrong = kAtTheBlock;
+  for (int i = 0; i < 3 && !watched.recovery.mustMove(); ++i) watched.see(wrong, watched.believed);
+  ASSERT_TRUE(watched.recovery.mustMove());
+  watched.see(wrong, wrong);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  const Pose2 motion{0.1, 0.0, 0.0};
+  truth = truth * motion;
+  wrong = wrong * motion;
+  Observations unlike = watched.laser.observe(watched.map, truth);
+  for (Eigen::Index i = 0; i < unlike.scan.range.size(); ++i) {  // no place of this map looks so
+    const float share = i % 2 == 0 ? 2.5F : 0.6F;
+    for (auto* lengths : {&unlike.scan.x, &unlike.scan.y, &unlike.scan.range}) {
+      (*lengths)[i] *= share;
+    }
+  }
+  watched.observe(unlike, wrong, motion);
+  EXPECT_GT(watched.shareOf(truth), 0.0);
+  for (int i = 0; i < 8 && !watched.recovery.mustMove(); ++i) {
+    truth = truth * motion;
+    watched.see(truth, watched.believed * motion, motion);
+  }
+  ASSERT_TRUE(watched.recovery.mustMove());
+  EXPECT_GT(watched.shareOf(truth), 0.4);  // and at most one looks alike
 }
 
 TEST(Recovery, AScanWithoutHitsChangesNothing) {

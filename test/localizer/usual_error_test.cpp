@@ -29,8 +29,8 @@ TEST(UsualError, NoScanThatHardlyFitsIsUsual) {
   EXPECT_GT(usual.value(), 0.4);
   EXPECT_DOUBLE_EQ(usual.limit(), 0.3);
   UsualError thick(0.2);  // on a map of thick walls most scans fit so
-  for (int i = 0; i < 10000; ++i) thick.observe(0.45);
-  EXPECT_DOUBLE_EQ(thick.limit(), 0.6);
+  for (int i = 0; i < 10000; ++i) thick.observe(RangeError::kTruncation);
+  EXPECT_DOUBLE_EQ(thick.limit(), 0.45);
 }
 
 }  // namespace adaptive_localization

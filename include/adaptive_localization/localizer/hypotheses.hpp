@@ -38,7 +38,10 @@ class Hypotheses {
     senses_ = std::move(senses);
   }
 
-  void clear() { all_.clear(); }
+  void clear() {
+    all_.clear();
+    least_error_ = 0.0;
+  }
   bool isEmpty() const { return all_.empty(); }
 
   /// One more place, unless it is known, not finite, or one too many.

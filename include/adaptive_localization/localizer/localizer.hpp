@@ -17,9 +17,12 @@ class EstimateRefiner;
 
 /// What the localizer answers to a scan.
 struct Localization {
-  Pose2 T_map_odom;         // the correction of odometry; valid for scans to come
-  Pose2 T_map_base;         // at this scan
-  Estimate estimate;        // of the last update; modes and covariance
+  Pose2 T_map_odom;  // the correction of odometry; valid for scans to come
+  Pose2 T_map_base;  // at this scan
+  /// Of T_map_base, (x, y, theta) in the map's frame: the estimate's, and more where the pose is
+  /// kept on odometry, away from the estimate.
+  Eigen::Matrix3d covariance{Eigen::Matrix3d::Zero()};
+  Estimate estimate;        // of the last update
   std::vector<Mode> modes;  // all places where the robot may be, most likely first
   bool updated{false};      // this scan went through the filter
   double confidence{0.0};   // in [0, 1]
@@ -94,7 +97,7 @@ class Localizer {
   void updateBelief(const Pose2& motion, const Observations& observations);
   Estimate askCore(const Pose2& motion, const Observations& observations);
   void moveBelief();
-  void conclude();
+  void conclude(const Pose2& T_map_base);
 
   SetupReader reader_;
   Setup setup_;

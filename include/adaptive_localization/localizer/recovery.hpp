@@ -71,9 +71,11 @@ class Recovery {
   const Confidence& fit() const { return confidence_; }
   const Senses& senses() const { return senses_; }
 
-  /// That the robot is at the core's place, [0, 1].
-  double confidence(const Pose2& T_map_base) const {
-    return confidence_.value() * shareOf(T_map_base);
+  /// That the robot is where published() has it, [0, 1]: nothing if that is away from the core's
+  /// place and from all others that are left.
+  double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
+    const bool is_anywhere = !is_settled_ || areSamePlace(T_map_base, T_map_base_of_core);
+    return is_anywhere ? confidence_.value() * shareOf(T_map_base) : 0.0;
   }
 
  private:
@@ -82,6 +84,7 @@ class Recovery {
 
   void open(const Pose2& T_map_base);
   void settle();
+  void leave(const Pose2& T_map_base);
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
   void race(const Pose2& T_map_base, const Observations& observations);
@@ -111,9 +114,10 @@ class Recovery {
   TrackingOdds odds_;
   double way_{0.0};  // since the last scan that counted, m or rad
 
-  bool has_left_{false};        // the place that was believed in when the race was opened,
+  bool has_left_{false};        // the core's place was ruled out in this race,
   double left_way_{0.0};        // so long a way ago, m
-  bool searched_{false};        // since the race was opened, and something was found
+  std::optional<Pose2> left_;   // that place, by odometry, until another one is known as well
+  bool searched_{false};        // since the race was opened
   bool explained_{false};       // some place explains the last scan
   int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};                // or hardly at all

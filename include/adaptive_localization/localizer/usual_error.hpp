@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "adaptive_localization/map/range_error.hpp"
+
 namespace adaptive_localization {
 
 /// The mean range error that there is where the robot is, by map and laser. It falls within
@@ -11,7 +13,8 @@ namespace adaptive_localization {
 class UsualError {
  public:
   /// Starts from what the map lets expect, m: MapQuality::rangeError().
-  explicit UsualError(double value = 0.05) : value_(value), most_(std::max(kMost, 3.0 * value)) {}
+  explicit UsualError(double value = 0.05)
+      : value_(value), most_(std::clamp(3.0 * value, kMost, kMostOfAll)) {}
 
   void observe(double error) {
     value_ +=
@@ -25,9 +28,10 @@ class UsualError {
 
  private:
   static constexpr double kLeast = 0.1, kMost = 0.3;  // m, whatever is usual
+  static constexpr double kMostOfAll = 0.9 * RangeError::kTruncation;
 
   double value_;
-  double most_;  // m, three times what the map lets expect, where that is more than kMost
+  double most_;  // m, three times what the map lets expect, within [kMost, kMostOfAll]
 };
 
 }  // namespace adaptive_localization
