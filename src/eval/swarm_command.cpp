@@ -56,6 +56,13 @@ void takeChoices(std::vector<std::string>& arguments, SwarmFixPlan& plan) {
   for (const std::string& text : takeAll(arguments, "--noise")) {
     plan.noise = toNumber("--noise", text, {0.0, 1.0}, "0 to 1 m");
   }
+  for (const std::string& text : takeAll(arguments, "--set")) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw std::invalid_argument("--set: got '" + text + "', expected KEY=VALUE");
+    }
+    plan.options.set(text.substr(0, equals), text.substr(equals + 1));
+  }
   const auto searchers = takeAll(arguments, "--searchers");
   if (!searchers.empty()) plan.searchers.clear();
   for (const std::string& text : searchers) {
@@ -90,6 +97,7 @@ std::string swarmFixesUsage() {
          "  --start NAME       of swarms: free, ser or places\n"
          "  --swarm NAME       a swarm alone, as the table names it; only those that are given\n"
          "  --filter NAME      a whole core, or with another preset, as lbba/seed or mcl/fp\n"
+         "  --set KEY=VALUE    an option of the whole cores\n"
          "  --updates N        of a whole core at the most, by a scan each (default 500)\n"
          "  --noise METRES     of a range, standard deviation (default 0.031); 0: exact ranges\n"
          "  --json FILE        writes all runs\n"

@@ -101,7 +101,7 @@ SearchSpace SwarmFixScene::space(bool is_torus) const {
 }
 
 FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles,
-                                        std::uint64_t seed) const {
+                                        std::uint64_t seed, const Parameters& options) const {
   FilterContext context{builtins(), {map_, distance_field_, places_}, {}, seed};
   const std::size_t slash = filter.find('/');
   const std::string preset = slash == std::string::npos ? "recommended" : filter.substr(slash + 1);
@@ -113,6 +113,9 @@ FilterContext SwarmFixScene::contextFor(const std::string& filter, int particles
   context.parameters.set("swarm_size", OptionValue(particles));
   context.parameters.set("max_particles", OptionValue(particles));
   context.parameters.set("min_particles", OptionValue(std::min(particles, 100)));
+  Parameters all = options;
+  all.fill(context.parameters);
+  context.parameters = std::move(all);
   return context;
 }
 

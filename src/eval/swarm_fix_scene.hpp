@@ -41,8 +41,10 @@ class SwarmFixScene {
   /// The map's ends, and all headings.
   SearchSpace space(bool is_torus) const;
 
-  /// For the filter of this name with so many particles or searchers; "lbba/seed": its preset.
-  FilterContext contextFor(const std::string& filter, int particles, std::uint64_t seed) const;
+  /// For the filter of this name with so many particles or searchers, and these options;
+  /// "lbba/seed": its preset.
+  FilterContext contextFor(const std::string& filter, int particles, std::uint64_t seed,
+                           const Parameters& options) const;
 
  private:
   std::string world_file_;

@@ -79,6 +79,18 @@ SwarmFixRun localizeWith(Filter& filter, const SwarmFixScene& scene, Sight& sigh
   return judged(run, answer, scene, sight);
 }
 
+std::unique_ptr<Filter> makeFilter(const std::string& name, int count, int seed,
+                                   const SwarmFixScene& scene, const SwarmFixPlan& plan) {
+  const auto context =
+      scene.contextFor(name, count, static_cast<std::uint64_t>(seed), plan.options);
+  auto filter = builtins().filters.make(name.substr(0, name.find('/')), context);
+  for (const std::string& key : context.parameters.unknownKeys()) {
+    if (!plan.options.has(key)) continue;
+    throw std::invalid_argument("option '" + key + "' is unknown to filter '" + name + "'");
+  }
+  return filter;
+}
+
 /// Runs with one seed after the other.
 template <class Find>
 SwarmFixCell runAll(SwarmFixCell cell, const SwarmFixPlan& plan, const SwarmFixScene& scene,
@@ -176,9 +188,8 @@ std::vector<SwarmFixCell> raceFixes(const SwarmFixPlan& plan) {
   for (const std::string& filter : plan.filters) {
     for (const int count : plan.searchers) {
       cells.push_back(runAll({"its own", filter, count}, plan, scene, [&](Sight& sight, int seed) {
-        const auto context = scene.contextFor(filter, count, static_cast<std::uint64_t>(seed));
-        const std::string core = filter.substr(0, filter.find('/'));
-        return localizeWith(*builtins().filters.make(core, context), scene, sight, plan.updates);
+        return localizeWith(*makeFilter(filter, count, seed, scene, plan), scene, sight,
+                            plan.updates);
       }));
     }
   }

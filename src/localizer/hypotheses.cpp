@@ -59,7 +59,8 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
 
 void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
   if (!isFinite(T_map_base) || knows(T_map_base)) return;
-  all_.push_back({T_map_base, odds.value(), odds.value(), odds.word(), odds.isKept()});
+  all_.push_back({T_map_base, odds.value(), odds.value(), odds.word(), odds.isKept(), true});
+  T_map_kept_ = T_map_base;
 }
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
@@ -85,6 +86,7 @@ bool Hypotheses::isByWord() const {
 
 void Hypotheses::ride(const Pose2& motion) {
   for (Hypothesis& hypothesis : all_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
+  T_map_kept_ = T_map_kept_ * motion;
 }
 
 void Hypotheses::note(const Pose2& T_map_core) {
@@ -198,7 +200,14 @@ void Hypotheses::prune() {
   for (const Hypothesis& hypothesis : before) {
     const bool is_likely = hypothesis.log_odds >= best - kMargin;
     const bool is_left = is_likely || (is_disputed && hypothesis.is_explained);
-    if (is_left && !knows(hypothesis.T_map_base)) all_.push_back(hypothesis);
+    const auto same = at(all_, hypothesis.T_map_base);
+    if (same != all_.end()) {
+      same->was_believed = same->was_believed || hypothesis.was_believed;
+    } else if (is_left) {
+      all_.push_back(hypothesis);
+    } else if (hypothesis.was_believed) {
+      is_kept_ruled_out_ = true;
+    }
   }
 }
 

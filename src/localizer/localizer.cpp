@@ -168,9 +168,8 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     T_odom_base_at_update_ = T_odom_base;
     const Pose2& T_map_core = last_.estimate.T_map_base;
     const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base;
-    const Pose2 T_map_base = setup_.options.recovery
-                                 ? recovery_->published(by_odometry, last_.estimate)
-                                 : T_map_core;
+    const Pose2 T_map_base =
+        setup_.options.recovery ? recovery_->published(by_odometry, last_.estimate) : T_map_core;
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
     conclude(T_map_base);
     update_requested_ = false;

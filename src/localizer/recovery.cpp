@@ -145,7 +145,9 @@ void Recovery::settle() {
   modes_.clear();
 }
 
-/// Where the core believes to be counts as well, whether the search finds it or not.
+/// Where the core believes to be counts as well, whether the search finds it or not. A place that
+/// is ruled out stays in the race until the one in its stead is known as well: if that is doubted,
+/// it is one of those that are compared.
 void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   hypotheses_.note(T_map_base);
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
@@ -163,21 +165,15 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
   const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
   contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
-  if (mustMove() && !has_left_) leave(T_map_base);
+  has_left_ = has_left_ || mustMove();
+  if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
-  if (has_left_) odds_ = TrackingOdds();  // those were of the place that was left
+  if (hypotheses_.ruledOut()) odds_ = TrackingOdds();  // those were of that place
   settle();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
-}
-
-/// A place that the robot was known to be in stays in the race until the one in its stead is known
-/// as well: if that is doubted, it is one of those that are compared.
-void Recovery::leave(const Pose2& T_map_base) {
-  has_left_ = true;
-  if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = T_map_base;
 }
 
 void Recovery::search(const Observations& observations) {

@@ -157,14 +157,16 @@ double ScanMatcher::hitVariance() const {
   return (range + surface) / options_.match_information;
 }
 
-/// Outliers are the fewer the nearer the pose is: the kernel narrows with the reach.
+/// Outliers are the fewer the nearer the pose is: the kernel narrows with the reach. Where a
+/// consensus is sought it is while the reach narrows, or all the way if it does not.
 void ScanMatcher::weigh(MatchPairs& pairs, int hits, double reach) const {
   constexpr double kKernels = 2.0;  // in a reach
   const bool is_annealing = reach > options_.match_reach_end;
+  const bool is_constant = options_.match_reach == options_.match_reach_end;
   const double scale = std::max(options_.match_kernel, is_annealing ? reach / kKernels : 0.0);
   if (options_.match_outliers == "trim") {
     keepBest(pairs, hits, options_.match_keep, scale);
-  } else if (options_.match_outliers == "ransac" && is_annealing) {
+  } else if (options_.match_outliers == "ransac" && (is_annealing || is_constant)) {
     keepConsensus(pairs, scale);
   } else if (options_.match_outliers != "none") {
     weighByKernel(pairs, scale);

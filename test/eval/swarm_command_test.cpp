@@ -43,6 +43,15 @@ TEST(SwarmCommand, ReadsWhatWasAskedFor) {
   EXPECT_FALSE(parseSwarmFixes({"world.yaml", "0.05", "3"}).plan.is_torus);
 }
 
+TEST(SwarmCommand, ReadsOptionsOfTheCores) {
+  const SwarmFixPlan plan = parseSwarmFixes({"w.yaml", "0.1", "--set", "swarm_beams=9"}).plan;
+  EXPECT_TRUE(plan.options.has("swarm_beams"));
+  for (const std::string text : {"swarm_beams", "=9", ""}) {
+    EXPECT_THAT(refusedFixes({"w.yaml", "0.1", "--set", text}),
+                HasSubstr("--set: got '" + text + "', expected KEY=VALUE"));
+  }
+}
+
 TEST(SwarmCommand, ReadsTheFirstSeedWhereverItStands) {
   EXPECT_EQ(parseSwarmFunctions({"7"}).first_seed, 1);
   EXPECT_EQ(parseSwarmFunctions({"--first-seed", "101", "7", "race.png"}).first_seed, 101);

@@ -41,6 +41,26 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
   EXPECT_GE(cells["its own/lbba/2000"].found(), 5);
 }
 
+TEST(SwarmFixes, ByLinesAreNearerThanByCells) {
+  SwarmFixPlan plan;
+  plan.world = SOURCE_DIR "/maps/simple/world.yaml";
+  plan.resolution = 0.1;
+  plan.noise = 0.0;
+  plan.runs = 4;
+  plan.searchers = {1000};
+  plan.starts = {};
+  plan.filters = {"lbba/seed"};
+  plan.updates = 1;
+  plan.options.set("swarm_tolerance", OptionValue(0.003));
+  const SwarmFixCell cells = raceFixes(plan).front();
+  plan.options.set("swarm_ranges", std::string("lines"));
+  const SwarmFixCell lines = raceFixes(plan).front();
+  ASSERT_GE(lines.found(), cells.found());
+  for (const SwarmFixRun& run : lines.foundRuns()) EXPECT_LT(run.error_mm, 30.0);
+  plan.options.set("swarm_bees", std::string("9"));
+  EXPECT_THROW(raceFixes(plan), std::invalid_argument);
+}
+
 TEST(SwarmFixes, AreToldInATable) {
   const auto run = [](int iterations, bool is_reached, bool is_found, double matched_mm) {
     return SwarmFixRun{1, iterations, 0.02, is_reached, is_found, matched_mm + 50, matched_mm, 1.5};

@@ -55,6 +55,26 @@ TEST_P(EveryRobustRule, ForgivesFourTenthsOfTheBeams) {
 
 INSTANTIATE_TEST_SUITE_P(Rules, EveryRobustRule, testing::Values("kernel", "trim", "ransac"));
 
+/// The presets of the sources have one reach: a consensus is sought all the same.
+TEST(ScanMatcher, SeeksAConsensusAtAConstantReach) {
+  double distances[2];
+  int i = 0;
+  for (const char* outliers : {"kernel", "ransac"}) {
+    MatchOptions options = with("point", outliers);
+    options.match_reach = options.match_reach_end = 1.0;
+    const ScanMatcher matcher(options, surfacesOf(roomLines()));
+    Scan scan = scanAt(kTruth, roomLines(), 0.01, 1);
+    for (Eigen::Index k = 0; k < scan.x.size(); k += 3) {
+      scan.x[k] *= 0.8F;
+      scan.y[k] *= 0.8F;
+    }
+    const Match match = matcher.match(kTruth * Pose2{0.05, -0.05, 0.04}, scan);
+    distances[i++] = distance(match.T_map_base, kTruth);
+  }
+  EXPECT_NE(distances[0], distances[1]);
+  EXPECT_LT(distances[1], 0.02);
+}
+
 TEST(ScanMatcher, FindsARotatedCopyFromItsPoints) {
   const ScanMatcher matcher(with("point", "none"), surfacesOf(roomLines()));
   const Match match = matcher.match(kTruth * Pose2{0.02, -0.02, 0.02}, scanAt(kTruth, roomLines()));

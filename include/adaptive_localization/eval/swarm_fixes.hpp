@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/swarm/swarm_move.hpp"
 
 namespace adaptive_localization {
@@ -55,6 +56,7 @@ struct SwarmFixPlan {
   std::vector<std::string> starts{"free", "ser", "places"};  // as the option `elsewhere`
   /// With the recommended preset, or another after a slash: lbba/seed.
   std::vector<std::string> filters{"lbba", "ba", "pso", "amcl", "sa_kld"};
+  Parameters options;  // of the filters
   std::vector<std::string> swarms{swarmNames()};
   int updates{500};  // of a filter, at the most
   bool is_torus{false};

@@ -40,6 +40,7 @@ class Hypotheses {
 
   void clear() {
     all_.clear();
+    is_kept_ruled_out_ = false;
     least_error_ = 0.0;
   }
   bool isEmpty() const { return all_.empty(); }
@@ -85,6 +86,11 @@ class Hypotheses {
   /// Leaves out those that became one with a likelier one, and those too unlikely.
   void prune();
 
+  /// The kept place if it was left out: where it was at first, and odometry since then.
+  std::optional<Pose2> ruledOut() const {
+    return is_kept_ruled_out_ ? std::make_optional(T_map_kept_) : std::nullopt;
+  }
+
   /// Likeliest first; their masses sum up to 1.
   std::vector<Mode> modes() const;
 
@@ -95,6 +101,7 @@ class Hypotheses {
     double prior{0.0};  // of the odds, before any scan
     double word{0.0};   // of that, what somebody said and no scan
     bool is_kept{false};
+    bool was_believed{false};  // it was the only one before the others were looked for
     std::optional<Pose2> T_map_core{};
     Pose2 T_map_ridden{};      // by odometry alone, before it was aligned with the last scan
     bool is_new{true};         // not judged yet: a scan counts in full
@@ -119,6 +126,8 @@ class Hypotheses {
   double least_error_{0.0};
   bool is_core_beside_{false};
   std::vector<Hypothesis> all_;
+  Pose2 T_map_kept_;
+  bool is_kept_ruled_out_{false};
 };
 
 /// The first of the modes that is the same place as a pose; null if there is none.

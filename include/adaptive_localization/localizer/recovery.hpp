@@ -84,7 +84,6 @@ class Recovery {
 
   void open(const Pose2& T_map_base);
   void settle();
-  void leave(const Pose2& T_map_base);
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
   void race(const Pose2& T_map_base, const Observations& observations);
@@ -116,7 +115,7 @@ class Recovery {
 
   bool has_left_{false};        // the core's place was ruled out in this race,
   double left_way_{0.0};        // so long a way ago, m
-  std::optional<Pose2> left_;   // that place, by odometry, until another one is known as well
+  std::optional<Pose2> left_;   // a place that was known, by odometry, until another one is as well
   bool searched_{false};        // since the race was opened
   bool explained_{false};       // some place explains the last scan
   int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
