@@ -41,6 +41,7 @@ TEST(SwarmFixes, MoreBatsFindMoreAndTheImprovedFormNeedsFewerIterations) {
   EXPECT_GE(cells["its own/lbba/2000"].found(), 5);
 }
 
+/// Walls of cells are drawn to a tenth of a metre here.
 TEST(SwarmFixes, ByLinesAreNearerThanByCells) {
   SwarmFixPlan plan;
   plan.world = SOURCE_DIR "/maps/simple/world.yaml";
@@ -52,11 +53,17 @@ TEST(SwarmFixes, ByLinesAreNearerThanByCells) {
   plan.filters = {"lbba/seed"};
   plan.updates = 1;
   plan.options.set("swarm_tolerance", OptionValue(0.003));
-  const SwarmFixCell cells = raceFixes(plan).front();
+  plan.options.set("swarm_max_iterations", OptionValue(200));
+  const auto meanError = [&plan] {
+    double sum = 0.0;
+    const SwarmFixCell cell = raceFixes(plan).front();
+    EXPECT_GE(cell.found(), 2);
+    for (const SwarmFixRun& run : cell.foundRuns()) sum += run.error_mm / cell.found();
+    return sum;
+  };
+  const double by_cells = meanError();
   plan.options.set("swarm_ranges", std::string("lines"));
-  const SwarmFixCell lines = raceFixes(plan).front();
-  ASSERT_GE(lines.found(), cells.found());
-  for (const SwarmFixRun& run : lines.foundRuns()) EXPECT_LT(run.error_mm, 30.0);
+  EXPECT_LT(meanError(), 0.5 * by_cells);
   plan.options.set("swarm_bees", std::string("9"));
   EXPECT_THROW(raceFixes(plan), std::invalid_argument);
 }
