@@ -8,7 +8,8 @@
 
 namespace adaptive_localization {
 
-/// Values of options where they differ from our defaults.
+/// Values of options where they differ from our defaults. What the presets of the sources do
+/// otherwise than those is in doc/sources.md.
 using Preset = std::map<std::string, OptionValue>;
 
 /// The first one's values where both have one.

@@ -12,7 +12,7 @@ Preset sourceOfSwarms() {
           {"swarm_tolerance", 0.03},
           {"swarm_max_iterations", 500},
           {"swarm_patience", 0},
-          {"swarm_budget", 10000.0},
+          {"swarm_budget", 2000.0},
           {"swarm_ranges", std::string("cast")},
           {"swarm_answer", std::string("best")},
           {"wrap_map", true},
