@@ -54,7 +54,7 @@ ObservationDescription rangeModel(const std::string& name, const std::string& se
                                   const Make& make_from) {
   constexpr double kRay = 500.0;  // look-ups that take as long as a ray
   const auto make = [make_from](const Parameters& given, const MapPtr& map, const FieldPtr& field) {
-    return make_from(given.read<ObservationOptions>(), map, *field);
+    return make_from(given.read<ObservationOptions>(), map, field);
   };
   return {name, sentence, make, describe(ObservationOptions{}), kRay};
 }
@@ -70,16 +70,16 @@ void addObservations(Registry<ObservationDescription>& observations) {
   observations.add(likelihoodField(
       "likelihood_field_cubed",
       "As likelihood_field, by one and the sum of cubes (amcl's older rule).", Form::kCubed));
-  observations.add(rangeModel(
-      "beam", "Ranges against those expected by ray casting, tempered; dear.",
-      [](const ObservationOptions& options, const MapPtr& map, const DistanceField& field) {
-        return std::make_unique<BeamModel>(options, map, field.quality());
-      }));
+  observations.add(
+      rangeModel("beam", "Ranges against those expected by ray casting, tempered; dear.",
+                 [](const ObservationOptions& options, const MapPtr& map, const FieldPtr& field) {
+                   return std::make_unique<BeamModel>(options, map, field);
+                 }));
   observations.add(rangeModel(
       "inverse_l1",
       "One by the sum of range errors, by ray casting (SAMCL's and SA-KLD's source); dear.",
-      [](const ObservationOptions&, const MapPtr& map, const DistanceField&) {
-        return std::make_unique<InverseL1>(map);
+      [](const ObservationOptions&, const MapPtr& map, const FieldPtr& field) {
+        return std::make_unique<InverseL1>(map, field);
       }));
 }
 

@@ -37,10 +37,11 @@ void Confidence::goOnFrom(const Confidence& other) {
 }
 
 double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
+  const Transform2 to_map(T_map_base);
   int inliers = 0;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
     const Eigen::Vector2d hit(scan.x[i], scan.y[i]);
-    if (field_->at(T_map_base * hit) < options_.confidence_inlier_distance) ++inliers;
+    if (field_->at(to_map * hit) < options_.confidence_inlier_distance) ++inliers;
   }
   const double share = static_cast<double>(inliers) / scan.hits();
   return std::clamp((share - options_.confidence_low_inliers) /

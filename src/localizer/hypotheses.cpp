@@ -162,7 +162,7 @@ void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction
 
 void Hypotheses::weigh(const Observations& observations, double share, double usual) {
   const Scan& scan = observations.scan;
-  const PlaceRefiner refiner(ground_.map, *ground_.field, scan, scan.max_range,
+  const PlaceRefiner refiner(ground_.map, ground_.field, scan, scan.max_range,
                              RangeError::kTruncation);
   align(refiner, usual);
   const bool fits =

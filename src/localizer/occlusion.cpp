@@ -40,10 +40,11 @@ bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& ran
 
 Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,
                       const RangeError& range_error) {
+  const Transform2 to_map(T_map_base);
   std::vector<Eigen::Index> left;
   int fitting = 0;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
-    const double off = field.at(T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]));
+    const double off = field.at(to_map * Eigen::Vector2d(scan.x[i], scan.y[i]));
     fitting += off < kOnWall ? 1 : 0;
     const bool is_obstacle = off > kOff && range_error.missing(T_map_base, scan, i) > kOff;
     if (!is_obstacle) left.push_back(i);

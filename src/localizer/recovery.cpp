@@ -22,7 +22,7 @@ constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside 
 Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses senses)
     : ground_(ground),
       senses_(senses),
-      range_error_(ground.map),
+      range_error_(ground.map, ground.field),
       confidence_(options, ground.field, senses),
       usual_(ground.field->quality().rangeError()),
       hypotheses_(ground, senses) {}

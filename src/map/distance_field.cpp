@@ -43,20 +43,37 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
 }
 
 double DistanceField::between(const Eigen::Vector2d& point_map) const {
-  const Pose2 local = lattice_.toLattice({point_map.x(), point_map.y(), 0.0});
-  const double x = local.x / lattice_.resolution() - 0.5;
-  const double y = local.y / lattice_.resolution() - 0.5;
-  if (!(x > -0.5 && y > -0.5 && x < lattice_.width() - 0.5 && y < lattice_.height() - 0.5)) {
-    return step_ * kFar;
+  const Eigen::Vector2d cells = lattice_.toLattice(point_map) / lattice_.resolution();
+  return step_ * stepsBetween(cells.x() - 0.5, cells.y() - 0.5);
+}
+
+double DistanceField::sumBetween(const Pose2& T_map_base, const Eigen::ArrayXf& x,
+                                 const Eigen::ArrayXf& y, Eigen::Index stride, double most) const {
+  const Pose2 base = lattice_.toLattice(T_map_base);
+  const double per_metre = 1.0 / lattice_.resolution();
+  const double c = per_metre * std::cos(base.theta), s = per_metre * std::sin(base.theta);
+  const double at_x = per_metre * base.x - 0.5, at_y = per_metre * base.y - 0.5;
+  const double most_steps = most / step_;
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); i += stride) {
+    const double px = x[i], py = y[i];
+    const double steps = stepsBetween(at_x + c * px - s * py, at_y + s * px + c * py);
+    sum += std::min(steps, most_steps);
   }
-  const Cell low{static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
-  const auto value = [&](int dx, int dy) {
-    return at(Cell{std::min(std::max(low.x + dx, 0), lattice_.width() - 1),
-                   std::min(std::max(low.y + dy, 0), lattice_.height() - 1)});
-  };
-  const double below = value(0, 0) + (x - low.x) * (value(1, 0) - value(0, 0));
-  const double above = value(0, 1) + (x - low.x) * (value(1, 1) - value(0, 1));
-  return below + (y - low.y) * (above - below);
+  return step_ * sum;
+}
+
+/// Between the four cells around a point, given in cells from the centre of the first.
+double DistanceField::stepsBetween(double x, double y) const {
+  const int last_x = lattice_.width() - 1, last_y = lattice_.height() - 1;
+  if (!(x > -0.5 && y > -0.5 && x < last_x + 0.5 && y < last_y + 0.5)) return kFar;
+  const int left = static_cast<int>(x + 1.0) - 1, low = static_cast<int>(y + 1.0) - 1;  // floors
+  const std::uint16_t* lower = &steps_[lattice_.index({0, std::max(low, 0)})];
+  const std::uint16_t* upper = &steps_[lattice_.index({0, std::min(low + 1, last_y)})];
+  const int first = std::max(left, 0), second = std::min(left + 1, last_x);
+  const double below = lower[first] + (x - left) * (lower[second] - lower[first]);
+  const double above = upper[first] + (x - left) * (upper[second] - upper[first]);
+  return below + (y - low) * (above - below);
 }
 
 }  // namespace adaptive_localization

@@ -28,7 +28,7 @@ Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
       height_(height),
       resolution_(resolution),
       origin_(origin),
-      inverse_origin_(inverse(origin)) {
+      to_lattice_(inverse(origin)) {
   if (width <= 0 || height <= 0) {
     throw std::invalid_argument("map size: got " + std::to_string(width) + " x " +
                                 std::to_string(height) + " cells, expected at least 1 x 1");
@@ -45,7 +45,7 @@ Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
 }
 
 Cell Lattice::cellAt(const Eigen::Vector2d& point_map) const {
-  const Eigen::Vector2d cells = (inverse_origin_ * point_map) / resolution_;
+  const Eigen::Vector2d cells = toLattice(point_map) / resolution_;
   const auto clamp = [](double value) {  // a point far outside must not overflow int
     return static_cast<int>(std::floor(std::fmin(std::fmax(value, -1e9), 1e9)));
   };

@@ -9,16 +9,15 @@ namespace adaptive_localization {
 /// By how much a beam is too short, m; negative: too long.
 double RangeError::missing(const Pose2& ray, double range, double max_range) const {
   constexpr double kRobot = 0.4;  // m, from the laser: no wall can be there, though the map has one
-  const auto from = [&](double start) {
-    const Pose2 ahead = ray * Pose2{start, 0.0, 0.0};
-    const RayCaster::Wall wall = ray_caster_.wall(ahead, max_range - start, wall_depth_);
-    const double z = range - start;
+  const auto from = [&](const Pose2& start, double way) {
+    const RayCaster::Wall wall = ray_caster_.wall(start, max_range - way, wall_depth_);
+    const double z = range - way;
     return z < wall.near ? wall.near - z : std::min(0.0, wall.far - z);
   };
-  const double plain = from(0.0);
+  const double plain = from(ray, 0.0);
   if (wall_depth_ == 0.0 || plain > -truncation_ || range < kRobot) return plain;
   if (range + plain > kRobot) return plain;  // the wall is farther off
-  const double through = from(kRobot);
+  const double through = from(ray * Pose2{kRobot, 0.0, 0.0}, kRobot);
   return std::abs(through) < std::abs(plain) ? through : plain;
 }
 

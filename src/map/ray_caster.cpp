@@ -8,13 +8,18 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kLeastJump = 2.0;  // cells: less is sooner walked
+
 /// The traversal along one axis, in cells.
 struct Axis {
-  Axis(double start, double direction)
-      : cell(static_cast<int>(std::floor(start))), step(direction > 0.0 ? 1 : -1) {
+  Axis(double start_at, double towards)
+      : start(start_at),
+        direction(towards),
+        cell(static_cast<int>(std::floor(start_at))),
+        step(towards > 0.0 ? 1 : -1) {
     if (direction == 0.0) return;
     per_cell = 1.0 / std::abs(direction);
-    next = (direction > 0.0 ? cell + 1 - start : start - cell) * per_cell;
+    next = leavesAfter();
   }
 
   void advance() {
@@ -22,11 +27,31 @@ struct Axis {
     next += per_cell;
   }
 
+  /// To a place along the ray.
+  void goTo(double way) {
+    if (direction == 0.0) return;
+    cell = static_cast<int>(start + way * direction + 1.0) - 1;  // rounded down, on the lattice
+    next = leavesAfter();
+  }
+
+  double leavesAfter() const {
+    return (direction > 0.0 ? cell + 1 - start : start - cell) * per_cell;
+  }
+
+  double start, direction;
   int cell;
   int step;
   double per_cell{std::numeric_limits<double>::infinity()};
   double next{std::numeric_limits<double>::infinity()};  // along the ray, where the cell is left
 };
+
+/// How far a ray in a cell that is no wall's goes on without meeting one, at the least, in cells:
+/// distances are from centre to centre. In rock, where the field has no walls, there is no such
+/// cell.
+double clearWay(const DistanceField* field, const Cell& cell) {
+  constexpr double kDiagonal = 1.4143;  // of two half cells, and a little for rounding
+  return field && field->lattice().contains(cell) ? field->cellsTo(cell) - kDiagonal : 0.0;
+}
 
 /// Where along the ray the strip [0, size] of one axis is entered and left.
 void clip(double start, double direction, double size, double& enter, double& leave) {
@@ -66,8 +91,10 @@ RayCaster::Wall RayCaster::wall(const Pose2& T_map_ray, double max_range, double
   const double inside = 0.5 / std::max(std::abs(dx), std::abs(dy));
   Wall wall = none;
   bool is_in_wall = false;
+  const OccupancyGrid& grid = *grid_;
   while (travelled < end) {
-    if (grid_->isOccupied({column.cell, row.cell})) {
+    const Cell cell{column.cell, row.cell};
+    if (grid.isOccupied(cell)) {
       const double at = std::min((travelled + inside) * resolution, max_range);
       if (!is_in_wall) wall = {at, at};
       if (at - wall.near > depth) return wall;
@@ -76,6 +103,11 @@ RayCaster::Wall RayCaster::wall(const Pose2& T_map_ray, double max_range, double
       if (depth == 0.0) return wall;
     } else if (is_in_wall) {
       return wall;
+    } else if (const double clear = clearWay(field_.get(), cell); clear > kLeastJump) {
+      travelled += clear;
+      column.goTo(travelled - skipped);
+      row.goTo(travelled - skipped);
+      continue;
     }
     Axis& nearer = column.next < row.next ? column : row;
     travelled = skipped + nearer.next;

@@ -20,7 +20,7 @@ struct Poses {
   std::array<float, kChunk> u, v, cos, sin;
 
   Poses(const Lattice& lattice, const Particles& particles, const Chunk& chunk) {
-    const Pose2 T_lattice_map = lattice.toLattice({});
+    const Pose2 T_lattice_map = lattice.toLattice(Pose2{});
     const double c = std::cos(T_lattice_map.theta) / lattice.resolution();
     const double s = std::sin(T_lattice_map.theta) / lattice.resolution();
     const double u0 = T_lattice_map.x / lattice.resolution() + 1.0;

@@ -59,7 +59,7 @@ Pose2 bestOf(const Particles& particles, const Scan& scan, const DistanceField& 
 ThickWallsField::ThickWallsField(const ObservationOptions& options,
                                  std::shared_ptr<const OccupancyGrid> map,
                                  std::shared_ptr<const DistanceField> field)
-    : ray_caster_(map),
+    : ray_caster_(map, field),
       walls_(field),
       by_walls_(options, kForm, field),
       by_faces_(withSigma(options, kFaceHits), kForm, fieldOf(withHollowWalls(*map))),

@@ -12,7 +12,7 @@ class KidnapTest : public Exploration {
  public:
   KidnapTest(const KidnapOptions& options, std::shared_ptr<const OccupancyGrid> map)
       : options_(options),
-        range_error_(std::move(map), std::numeric_limits<double>::infinity(), 0.0) {}
+        range_error_(std::move(map), nullptr, std::numeric_limits<double>::infinity(), 0.0) {}
 
   void reset() override {
     is_armed_ = false;

@@ -162,7 +162,7 @@ std::vector<SearchPose> GlobalSearch::findPosesPlainly(const DirectionalScan& sc
 std::vector<Place> GlobalSearch::find(const Scan& scan) const {
   const DirectionalScan beams = toDirections(scan, grid_->geometry());
   if (scan.hits() == 0 || beams.valid == 0) return {};
-  const PlaceRefiner refiner(map_, *field_, scan, scan.max_range, options_.search_truncation);
+  const PlaceRefiner refiner(map_, field_, scan, scan.max_range, options_.search_truncation);
   const double turn = grid_->ranges().lattice().origin().theta;
   std::vector<Pose2> distinct;
   for (const SearchPose& pose : findPoses(beams)) {

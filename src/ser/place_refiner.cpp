@@ -17,32 +17,25 @@ Eigen::Index strideFor(Eigen::Index beams) {
 
 }  // namespace
 
-PlaceRefiner::PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
-                           const Scan& scan, double max_range, double truncation)
-    : range_error_(std::move(map), truncation),
-      field_(field),
+PlaceRefiner::PlaceRefiner(std::shared_ptr<const OccupancyGrid> map,
+                           std::shared_ptr<const DistanceField> field, const Scan& scan,
+                           double max_range, double truncation)
+    : range_error_(std::move(map), field, truncation),
+      field_(std::move(field)),
       scan_(scan),
       max_range_(max_range),
       truncation_(truncation) {}
 
 double PlaceRefiner::misfit(const Pose2& T_map_base) const {
-  double sum = 0.0;
-  const double c = std::cos(T_map_base.theta);
-  const double s = std::sin(T_map_base.theta);
-  for (Eigen::Index i = 0; i < scan_.x.size(); i += strideFor(scan_.x.size())) {
-    const double x = scan_.x[i];
-    const double y = scan_.y[i];
-    const Eigen::Vector2d hit(T_map_base.x + c * x - s * y, T_map_base.y + s * x + c * y);
-    sum += std::min(field_.between(hit), truncation_);
-  }
-  return sum;
+  return field_->sumBetween(T_map_base, scan_.x, scan_.y, strideFor(scan_.x.size()), truncation_);
 }
 
 double PlaceRefiner::hitShare(const Pose2& T_map_base, double distance) const {
   if (scan_.hits() == 0) return 0.0;
+  const Transform2 to_map(T_map_base);
   int near = 0;
   for (Eigen::Index i = 0; i < scan_.x.size(); ++i) {
-    near += field_.at(T_map_base * Eigen::Vector2d(scan_.x[i], scan_.y[i])) < distance ? 1 : 0;
+    near += field_->at(to_map * Eigen::Vector2d(scan_.x[i], scan_.y[i])) < distance ? 1 : 0;
   }
   return static_cast<double>(near) / scan_.hits();
 }
@@ -54,8 +47,8 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
     return misfit(pose) + stiffness * (way * way + turned * turned);
   };
   Pose2 pose = T_map_base;
-  double step = std::max(0.04, 0.5 * field_.lattice().resolution());  // m
-  double turn = 0.5 * kDirectionStep;                                 // rad
+  double step = std::max(0.04, 0.5 * field_->lattice().resolution());  // m
+  double turn = 0.5 * kDirectionStep;                                  // rad
   const double least_step = stiffness > 0.0 ? kLeastStepHere : kLeastStep;
   double best = cost(pose);
   while (step > least_step) {

@@ -13,7 +13,7 @@ namespace adaptive_localization {
 /// Moves a pose to where the scan fits the map best nearby, and judges it by exact ranges.
 class PlaceRefiner {
  public:
-  PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, const DistanceField& field,
+  PlaceRefiner(std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<const DistanceField> field,
                const Scan& scan, double max_range, double truncation);
 
   /// Pattern search (Hooke and Jeeves 1961) for the least sum of min(d, truncation) over hits, d
@@ -38,7 +38,7 @@ class PlaceRefiner {
   double misfit(const Pose2& T_map_base) const;
 
   RangeError range_error_;
-  const DistanceField& field_;
+  std::shared_ptr<const DistanceField> field_;
   const Scan& scan_;
   double max_range_;
   double truncation_;

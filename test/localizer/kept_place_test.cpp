@@ -43,7 +43,7 @@ std::shared_ptr<const OccupancyGrid> world(const Art& art) {
 /// Against the place, on one map, by a scan of another world.
 double against(const Art& on_map, const Art& in_world, bool is_word = false) {
   const auto map = world(on_map);
-  const DistanceField field(*map);
+  const auto field = std::make_shared<const DistanceField>(*map);
   const Scan scan = ToyLaser{181, -kPi / 2, kPi / 2, 12.0}.observe(world(in_world), kPlace).scan;
   const PlaceRefiner refiner(map, field, scan, scan.max_range, RangeError::kTruncation);
   return mostAgainst(refiner, kPlace, is_word, 0.05);

@@ -26,7 +26,7 @@ TEST(RangeError, IsTheMeanOfTruncatedDifferences) {
   ASSERT_EQ(scan.hits(), 50);
   scan.range.head(10) += 0.1F;
   scan.range.segment(10, 10) *= 0.1F;  // far too short
-  const RangeError::Fit fit = RangeError(asymmetricWorld(), 0.5, 0.0).at(kPlace, scan);
+  const RangeError::Fit fit = RangeError(asymmetricWorld(), nullptr, 0.5, 0.0).at(kPlace, scan);
   EXPECT_NEAR(fit.error, (10 * 0.1 + 10 * 0.5) / 50.0, 1e-3);
   EXPECT_NEAR(fit.short_share, 0.2, 1e-9);
 }
@@ -58,7 +58,7 @@ TEST(RangeError, AScanWithoutBeamsIsAsBadAsCanBe) {
 TEST(RangeError, ABeamMayEndAnywhereInAWall) {
   const auto map = toyWorld({"..............", "..........####", ".............."}, 0.1, {}, 5);
   const RangeError error(map);
-  const RangeError plain(map, 0.5, 0.0);
+  const RangeError plain(map, nullptr, 0.5, 0.0);
   const Pose2 pose{1.0, 0.75, 0.0};  // the face is 4 m before it
   const auto errorOf = [&](const RangeError& of, double range) {
     return of.at(pose, hitsAt({{range, 0.0}}, 10.0).scan).error;
@@ -81,7 +81,7 @@ TEST(RangeError, LooksThroughWhatTheMapHasWhereTheRobotStands) {
   }
   const auto cluttered = std::make_shared<const OccupancyGrid>(lattice, cells);
   EXPECT_LT(RangeError(cluttered).at(kPlace, scan).error, 0.01);
-  EXPECT_GT(RangeError(cluttered, 0.5, 0.0).at(kPlace, scan).error, 0.4);
+  EXPECT_GT(RangeError(cluttered, nullptr, 0.5, 0.0).at(kPlace, scan).error, 0.4);
 }
 
 }  // namespace

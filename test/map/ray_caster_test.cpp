@@ -65,6 +65,27 @@ TEST(RayCaster, FindsTheFirstCellThatTheRayEnters) {
   }
 }
 
+TEST(RayCaster, FindsTheSameWallsByTheDistanceField) {
+  Rng rng(2);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Lattice lattice(120, 80, rng.uniform(0.05, 0.2), randomPose(rng, 5.0));
+    const auto grid = randomGrid(rng, lattice, trial % 2 == 0 ? 0.002 : 0.05);
+    const RayCaster plain(grid), quick(grid, std::make_shared<const DistanceField>(*grid));
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector2d middle = lattice.centre({60, 40});
+      Pose2 ray = randomPose(rng, 60.0 * lattice.resolution());  // inside and outside
+      ray.x += middle.x();
+      ray.y += middle.y();
+      for (const double depth : {0.0, 0.35}) {
+        const RayCaster::Wall expected = plain.wall(ray, 20.0, depth);
+        const RayCaster::Wall wall = quick.wall(ray, 20.0, depth);
+        EXPECT_NEAR(wall.near, expected.near, 1e-9);
+        EXPECT_NEAR(wall.far, expected.far, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(RayCaster, IsExactAlongTheAxes) {
   const auto map = toyWorld({"#####", "#...#", "#...#", "#...#", "#####"}, 1.0);
   const RayCaster caster(map);

@@ -37,6 +37,21 @@ inline Eigen::Vector2d operator*(const Pose2& a, const Eigen::Vector2d& point) {
   return {a.x + c * point.x() - s * point.y(), a.y + s * point.x() + c * point.y()};
 }
 
+/// A pose T_a_b that takes many points: its sine and cosine are computed once.
+class Transform2 {
+ public:
+  explicit Transform2(const Pose2& T_a_b)
+      : x_(T_a_b.x), y_(T_a_b.y), cos_(std::cos(T_a_b.theta)), sin_(std::sin(T_a_b.theta)) {}
+
+  /// T_a_b * point_b = point_a.
+  Eigen::Vector2d operator*(const Eigen::Vector2d& point) const {
+    return {x_ + cos_ * point.x() - sin_ * point.y(), y_ + sin_ * point.x() + cos_ * point.y()};
+  }
+
+ private:
+  double x_, y_, cos_, sin_;
+};
+
 /// T_b_a from T_a_b.
 inline Pose2 inverse(const Pose2& a) {
   const double c = std::cos(a.theta);

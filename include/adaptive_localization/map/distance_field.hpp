@@ -29,8 +29,18 @@ class DistanceField {
   }
   double at(const Eigen::Vector2d& point_map) const { return at(lattice_.cellAt(point_map)); }
 
-  /// The same between the four centres around a point, so that it does not jump where cells meet.
+  /// The same, as cells; the cell must be on the lattice.
+  double cellsTo(const Cell& cell) const {
+    return steps_[lattice_.index(cell)] * (1.0 / kStepsPerCell);
+  }
+
+  /// Metres between the four centres around a point, so that it does not jump where cells meet.
   double between(const Eigen::Vector2d& point_map) const;
+
+  /// The sum of min(between(p), most), m, over every stride-th of some points in the frame of a
+  /// base at a pose.
+  double sumBetween(const Pose2& T_map_base, const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
+                    Eigen::Index stride, double most) const;
 
   /// Of the map that it was made from.
   const MapQuality& quality() const { return quality_; }
@@ -42,6 +52,8 @@ class DistanceField {
  private:
   static constexpr int kStepsPerCell = 64;
   static constexpr std::uint16_t kFar = 65535;
+
+  double stepsBetween(double x, double y) const;
 
   Lattice lattice_;
   double step_;

@@ -51,8 +51,14 @@ class Lattice {
   /// Centre of a cell in the map frame.
   Eigen::Vector2d centre(const Cell& cell) const;
 
-  /// A pose in the map frame, expressed in lattice coordinates.
-  Pose2 toLattice(const Pose2& T_map_x) const { return inverse_origin_ * T_map_x; }
+  /// A point or a pose in the map frame, expressed in lattice coordinates.
+  Eigen::Vector2d toLattice(const Eigen::Vector2d& point_map) const {
+    return to_lattice_ * point_map;
+  }
+  Pose2 toLattice(const Pose2& T_map_x) const {
+    const Eigen::Vector2d point = toLattice(Eigen::Vector2d(T_map_x.x, T_map_x.y));
+    return {point.x(), point.y(), wrapAngle(T_map_x.theta - origin_.theta)};
+  }
 
   bool operator==(const Lattice& other) const;
 
@@ -61,7 +67,7 @@ class Lattice {
   int height_;
   double resolution_;
   Pose2 origin_;
-  Pose2 inverse_origin_;
+  Transform2 to_lattice_;
 };
 
 }  // namespace adaptive_localization

@@ -28,9 +28,12 @@ class RangeError {
     double off_share{0.0};      // the same, too short or too long
   };
 
-  explicit RangeError(std::shared_ptr<const OccupancyGrid> map, double truncation = kTruncation,
-                      double wall_depth = kWallDepth)
-      : ray_caster_(std::move(map)), truncation_(truncation), wall_depth_(wall_depth) {}
+  explicit RangeError(std::shared_ptr<const OccupancyGrid> map,
+                      std::shared_ptr<const DistanceField> field = nullptr,
+                      double truncation = kTruncation, double wall_depth = kWallDepth)
+      : ray_caster_(std::move(map), std::move(field)),
+        truncation_(truncation),
+        wall_depth_(wall_depth) {}
 
   /// Ranges, read and expected, are cut off at max_range, m.
   Fit at(const Pose2& T_map_base, const Scan& scan, double max_range) const;

@@ -3,15 +3,20 @@
 
 #include <memory>
 
+#include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
 
 /// Expected ranges by exact traversal of the grid (Amanatides and Woo, Eurographics 1987): every
-/// cell that the ray crosses is looked at once, so no corner is missed.
+/// cell that the ray crosses is looked at once, so no corner is missed. With the map's distance
+/// field the ray goes on at once by as much as no wall is nearer: the same ranges, several times as
+/// fast.
 class RayCaster {
  public:
-  explicit RayCaster(std::shared_ptr<const OccupancyGrid> grid) : grid_(std::move(grid)) {}
+  explicit RayCaster(std::shared_ptr<const OccupancyGrid> grid,
+                     std::shared_ptr<const DistanceField> field = nullptr)
+      : grid_(std::move(grid)), field_(std::move(field)) {}
 
   /// Metres from the ray's start (map frame, theta its direction) to the surface in the first
   /// occupied cell; max_range if there is none before. Surfaces pass through the middle of cells,
@@ -31,6 +36,7 @@ class RayCaster {
 
  private:
   std::shared_ptr<const OccupancyGrid> grid_;
+  std::shared_ptr<const DistanceField> field_;  // null: walls are met cell by cell
 };
 
 }  // namespace adaptive_localization

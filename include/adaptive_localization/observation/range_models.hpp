@@ -17,9 +17,9 @@ namespace adaptive_localization {
 class BeamModel : public ObservationModel {
  public:
   BeamModel(const ObservationOptions& options, std::shared_ptr<const OccupancyGrid> map,
-            const MapQuality& quality)
-      : options_(options), ray_caster_(std::move(map)) {
-    options_.laser_sigma_hit = sigmaHit(options, quality);
+            std::shared_ptr<const DistanceField> field)
+      : options_(options), ray_caster_(std::move(map), field) {
+    options_.laser_sigma_hit = sigmaHit(options, field->quality());
   }
 
   double score(const Observations& observations, const Particles& particles,
@@ -36,7 +36,9 @@ class BeamModel : public ObservationModel {
 /// beams, a no-return counting as max_range; the sum is at least a millimetre.
 class InverseL1 : public ObservationModel {
  public:
-  explicit InverseL1(std::shared_ptr<const OccupancyGrid> map) : ray_caster_(std::move(map)) {}
+  explicit InverseL1(std::shared_ptr<const OccupancyGrid> map,
+                     std::shared_ptr<const DistanceField> field = nullptr)
+      : ray_caster_(std::move(map), std::move(field)) {}
 
   double score(const Observations& observations, const Particles& particles,
                Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override;
