@@ -14,8 +14,9 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kMostPlaces = 100;
-constexpr double kMargin = 6.0;       // log odds below the best at which a place is ruled out
-constexpr double kTolerance = 0.015;  // m
+constexpr int kLikeliest = 4, kInTurn = 4;  // places judged by each scan
+constexpr double kMargin = 6.0;             // log odds below the best at which a place is ruled out
+constexpr double kTolerance = 0.015;        // m
 constexpr double kToleranceShare = 0.25;
 constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
@@ -127,12 +128,30 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
+/// Those that the scan judges; share is how much of it is new.
+void Hypotheses::choose(double share) {
+  std::vector<Hypothesis*> others;
+  int likeliest = 0;
+  for (Hypothesis& hypothesis : all_) {
+    hypothesis.share = std::min(1.0, hypothesis.share + share);
+    ++hypothesis.waited;
+    hypothesis.is_due = hypothesis.is_new || hypothesis.T_map_core || hypothesis.was_believed ||
+                        likeliest++ < kLikeliest;
+    if (!hypothesis.is_due) others.push_back(&hypothesis);
+  }
+  std::stable_sort(others.begin(), others.end(),
+                   [](const Hypothesis* a, const Hypothesis* b) { return a->waited > b->waited; });
+  if (others.size() > kInTurn) others.resize(kInTurn);
+  for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
+}
+
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
   const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
+    if (!hypothesis.is_due) continue;
     Place place = alignedWith(refiner, hypothesis.T_map_ridden);
     if (hypothesis.T_map_core) {
       core = &hypothesis;
@@ -151,7 +170,8 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
 /// is corrected as the core's was, looks the same.
 void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual) {
   for (Hypothesis& hypothesis : all_) {
-    if (loss(hypothesis.error, usual) == 0.0) continue;
+    if (!hypothesis.is_due) hypothesis.T_map_base = hypothesis.T_map_ridden * correction;
+    if (!hypothesis.is_due || loss(hypothesis.error, usual) == 0.0) continue;
     const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
     if (loss(place.error, usual) > 0.0) continue;
     hypothesis.T_map_base = place.T_map_base;
@@ -164,12 +184,14 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   const Scan& scan = observations.scan;
   const PlaceRefiner refiner(ground_.map, ground_.field, scan, scan.max_range,
                              RangeError::kTruncation);
+  choose(share);
   align(refiner, usual);
   const bool fits =
       least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
   const Eigen::ArrayXd senses = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
+    if (!hypothesis.is_due) continue;
     double lost = loss(hypothesis.error, usual);
     if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
     hypothesis.is_explained = lost == 0.0;
@@ -179,8 +201,10 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
       lost = std::min(lost, most);
     }
     const double told = senses[static_cast<Eigen::Index>(i)] - lost;
-    hypothesis.log_odds += (hypothesis.is_new ? 1.0 : share) * told;
+    hypothesis.log_odds += (hypothesis.is_new ? 1.0 : hypothesis.share) * told;
     hypothesis.is_new = false;
+    hypothesis.waited = 0;
+    hypothesis.share = 0.0;
   }
 }
 
