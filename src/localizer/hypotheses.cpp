@@ -128,15 +128,28 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
+/// Whether a place is so much likelier than all others that they would be ruled out, did they not
+/// explain the scans.
+bool Hypotheses::hasLeader() const {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double best = kNone, second = kNone;
+  for (const Hypothesis& hypothesis : all_) {
+    second = std::max(second, std::min(best, hypothesis.log_odds));
+    best = std::max(best, hypothesis.log_odds);
+  }
+  return best - second > kMargin;
+}
+
 /// Those that the scan judges; share is how much of it is new.
 void Hypotheses::choose(double share) {
+  const bool are_all_due = !hasLeader();
   std::vector<Hypothesis*> others;
   int likeliest = 0;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.share = std::min(1.0, hypothesis.share + share);
     ++hypothesis.waited;
-    hypothesis.is_due = hypothesis.is_new || hypothesis.T_map_core || hypothesis.was_believed ||
-                        likeliest++ < kLikeliest;
+    hypothesis.is_due = are_all_due || hypothesis.is_new || hypothesis.T_map_core ||
+                        hypothesis.was_believed || likeliest++ < kLikeliest;
     if (!hypothesis.is_due) others.push_back(&hypothesis);
   }
   std::stable_sort(others.begin(), others.end(),

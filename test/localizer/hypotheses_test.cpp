@@ -144,14 +144,14 @@ TEST(Hypotheses, AScanThatIsNotNewSaysNothingMore) {
 }
 
 /// What scans that are new by a fifth each say of some places against the true one.
-std::vector<double> saidOf(const std::vector<Pose2>& places, int scans) {
+std::vector<double> saidOf(const std::vector<Pose2>& places, int scans, double lead = 10.0) {
   Hypotheses hypotheses(asymmetricWorld());
-  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(kTruth, lead);
   for (const Pose2& place : places) hypotheses.add(place, 0.0);
   for (int i = 0; i < scans; ++i) hypotheses.weigh(seenAt(kTruth), 0.2, 0.3);
   const std::vector<Mode> modes = hypotheses.modes();
   std::vector<double> said;
-  for (const Mode& mode : modes) said.push_back(std::log(mode.mass / modes.front().mass));
+  for (const Mode& mode : modes) said.push_back(std::log(mode.mass / modes.front().mass) + lead);
   return said;
 }
 
@@ -161,13 +161,22 @@ TEST(Hypotheses, OfManyEachIsJudgedInTurnByAllThatIsNew) {
   const std::vector<double> first = saidOf(places, 1), second = saidOf(places, 2);
   const std::vector<double> all = saidOf(places, 13);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_told = first[i + 1] < 0.0;  // from the true one by the scan
-    const bool waits =
-        i >= 7;  // there are three likelier ones beside the true one, four have turns
+    const bool is_told = first[i + 1] < -1e-9;  // from the true one by the scan
+    const bool waits = i >= 3 + 4;  // behind the likeliest and those whose turn it is
     EXPECT_EQ(is_told && std::abs(second[i + 1] - first[i + 1]) > 1e-9, is_told && !waits) << i;
     const double alone = saidOf({places[i]}, 13)[1];
     EXPECT_LE(all[i + 1], 0.6 * alone) << i;  // it waits for four scans at the most
     EXPECT_GE(all[i + 1], 1.2 * alone) << i;
+  }
+}
+
+TEST(Hypotheses, AllAreJudgedWhereNoneIsFarLikelierThanTheOthers) {
+  std::vector<Pose2> places;
+  for (int i = 0; i < 20; ++i) places.push_back({0.6 * i, 1.0 + 0.1 * i, 2.0});
+  const std::vector<double> first = saidOf(places, 1, 5.0), second = saidOf(places, 2, 5.0);
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    const bool is_told = first[i] < -1e-9;
+    EXPECT_EQ(second[i] < first[i] - 1e-9, is_told) << i;
   }
 }
 

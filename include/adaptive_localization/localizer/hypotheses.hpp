@@ -28,8 +28,9 @@ class PlaceRefiner;
 /// where beams only end before what the map has. Unlike the modes of a particle cloud, masses of
 /// places that look the same do not drift: only what is seen decides between them.
 ///
-/// Of many places the likeliest are judged by each scan and the others in turn, by all that is new
-/// since they were: an update takes no longer for a hundred places than for ten.
+/// As long as one of many places is far likelier than all others, as on poor maps where each scan
+/// fits here and there, the likeliest are judged by each scan and the others in turn, by all that
+/// is new since they were: an update takes no longer for a hundred places than for ten.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())
@@ -119,6 +120,7 @@ class Hypotheses {
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
 
+  bool hasLeader() const;
   void choose(double share);
   double loss(double error, double usual) const;
   double tolerated(double level) const;
