@@ -49,6 +49,19 @@ auto at(All& all, const Pose2& T_map_base) {
   });
 }
 
+/// The same, or else one that a core can have drifted off from.
+template <class All>
+auto about(All& all, const Pose2& T_map_core) {
+  constexpr double kDrift = 1.5, kTurn = 0.35;  // m, rad
+  const auto same = at(all, T_map_core);
+  if (same != all.end()) return same;
+  return std::find_if(all.begin(), all.end(), [&](const auto& hypothesis) {
+    const Pose2& pose = hypothesis.T_map_base;
+    return distance(pose, T_map_core) < kDrift &&
+           std::abs(wrapAngle(pose.theta - T_map_core.theta)) < kTurn;
+  });
+}
+
 }  // namespace
 
 void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
@@ -66,6 +79,10 @@ void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
   return at(all_, T_map_base) != all_.end();
+}
+
+bool Hypotheses::hold(const Pose2& T_map_core, double error, double usual) const {
+  return knows(T_map_core) || (about(all_, T_map_core) != all_.end() && loss(error, usual) == 0.0);
 }
 
 double Hypotheses::entry(double malus, const TrackingOdds& odds) const {
@@ -91,7 +108,7 @@ void Hypotheses::ride(const Pose2& motion) {
 }
 
 void Hypotheses::note(const Pose2& T_map_core) {
-  const auto place = at(all_, T_map_core);
+  const auto place = about(all_, T_map_core);
   if (place != all_.end()) place->T_map_core = T_map_core;
 }
 

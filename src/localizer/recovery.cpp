@@ -160,7 +160,8 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   way_ = 0.0;
   modes_ = hypotheses_.modes();
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  const bool is_elsewhere = !hypotheses_.knows(T_map_base);
+  const double error = range_error_.at(T_map_base, observations.scan).error;
+  const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
   const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;

@@ -162,7 +162,7 @@ TEST(Hypotheses, OfManyEachIsJudgedInTurnByAllThatIsNew) {
   const std::vector<double> all = saidOf(places, 13);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_told = first[i + 1] < -1e-9;  // from the true one by the scan
-    const bool waits = i >= 3 + 4;  // behind the likeliest and those whose turn it is
+    const bool waits = i >= 3 + 4;              // behind the likeliest and those whose turn it is
     EXPECT_EQ(is_told && std::abs(second[i + 1] - first[i + 1]) > 1e-9, is_told && !waits) << i;
     const double alone = saidOf({places[i]}, 13)[1];
     EXPECT_LE(all[i + 1], 0.6 * alone) << i;  // it waits for four scans at the most
@@ -178,6 +178,19 @@ TEST(Hypotheses, AllAreJudgedWhereNoneIsFarLikelierThanTheOthers) {
     const bool is_told = first[i] < -1e-9;
     EXPECT_EQ(second[i] < first[i] - 1e-9, is_told) << i;
   }
+}
+
+TEST(Hypotheses, HoldACoreThatDriftedOffAsLongAsScansFitWhereItIs) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  const Pose2 drifted = kTruth * Pose2{0.8, 0.0, 0.0}, away = kTruth * Pose2{1.6, 0.0, 0.0};
+  EXPECT_TRUE(hypotheses.hold(kTruth, 0.5, kUsual));  // that is for the odds to tell
+  EXPECT_TRUE(hypotheses.hold(drifted, 0.03, kUsual));
+  EXPECT_FALSE(hypotheses.hold(drifted, 0.1, kUsual));
+  EXPECT_TRUE(hypotheses.hold(drifted, 0.1, 0.15));
+  EXPECT_FALSE(hypotheses.hold(away, 0.03, kUsual));
+  EXPECT_FALSE(hypotheses.hold(kTruth * Pose2{0.0, 0.0, 0.5}, 0.03, kUsual));
 }
 
 TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {

@@ -58,6 +58,10 @@ class Hypotheses {
 
   bool knows(const Pose2& T_map_base) const;
 
+  /// Whether a core is in one of the places, or drifted off from one by a step that the last scan,
+  /// with its mean range error there, does not contradict.
+  bool hold(const Pose2& T_map_core, double error, double usual) const;
+
   /// Log odds of a place that comes later, as if it had fitted as well as the best so far, but for
   /// a malus: a kept place is ruled out by what is seen from then on. Of the odds that it started
   /// with, no more counts than is left of them by now.
