@@ -2,6 +2,8 @@
 // scripts/evaluate, as somebody uses it who has recordings of their own.
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "toy_replay.hpp"
 
@@ -47,6 +49,16 @@ TEST_F(Evaluate, ReplaysAFolderOfRecordings) {
   EXPECT_THAT(result.output, HasSubstr("| 0/2 | 2/2, 0.0 s |"));
 }
 
+TEST_F(Evaluate, RunsTheSeedsThatItIsTold) {
+  const std::string results = folder_.file("results.json");
+  const ProgramResult done = evaluate({"--seeds", "2", "--first-seed", "3", "--json", results});
+  ASSERT_EQ(done.exit_code, 0) << done.errors;
+  const auto runs = nlohmann::json::parse(std::ifstream(results));
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].at("seed"), 3);
+  EXPECT_EQ(runs[1].at("seed"), 4);
+}
+
 TEST_F(Evaluate, TellsWhereARobotGetsLostOnAPoorMap) {
   const ProgramResult result =
       evaluate({"--seeds", "1", "--filter", "kld", "--spoil", "none", "--spoil", "shift:1"});
@@ -63,6 +75,7 @@ TEST_F(Evaluate, NamesWhatIsWrong) {
     EXPECT_THAT(result.errors, AllOf(HasSubstr("evaluate: " + why), Not(HasSubstr("Traceback"))));
   };
   expectRefused({"--seeds", "0"}, "--seeds: got 0, expected at least 1");
+  expectRefused({"--first-seed", "0"}, "--first-seed: got 0, expected at least 1");
   expectRefused({"--jobs", "0"}, "--jobs: got 0, expected at least 1");
   expectRefused({"--spoil", "thik"}, "--spoil: got 'thik', expected all or one of none, thick");
   expectRefused({"--window", "attic"}, "no recording with a map and a reference in ");
