@@ -99,7 +99,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     pace_.skipScan();
   }
   if (!is_settled_) {
-    race(T_map_base, observations);
+    race(T_map_base, error, observations);
     if (is_settled_ && unexplained_ > 0) {
       usual_.observe(error);
       pace_.findNothingBetter(error);
@@ -115,7 +115,8 @@ bool Recovery::isUnverified(const Scan& scan) const {
 void Recovery::verify(const Estimate& estimate, const Observations& observations) {
   if (isCovered(observations.scan)) return;
   open(estimate.T_map_base);
-  race(estimate.T_map_base, observations);
+  const double error = range_error_.at(estimate.T_map_base, observations.scan).error;
+  race(estimate.T_map_base, error, observations);
   conclude();
 }
 
@@ -145,10 +146,11 @@ void Recovery::settle() {
   modes_.clear();
 }
 
-/// Where the core believes to be counts as well, whether the search finds it or not. A place that
+/// Where the core believes to be, with the mean range error there, counts as well, whether the
+/// search finds it or not. A place that
 /// is ruled out stays in the race until the one in its stead is known as well: if that is doubted,
 /// it is one of those that are compared.
-void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
+void Recovery::race(const Pose2& T_map_base, double error, const Observations& observations) {
   hypotheses_.note(T_map_base);
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
   // while no place explains the scans each may be the one that tells, but searching is not free
@@ -160,7 +162,6 @@ void Recovery::race(const Pose2& T_map_base, const Observations& observations) {
   way_ = 0.0;
   modes_ = hypotheses_.modes();
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  const double error = range_error_.at(T_map_base, observations.scan).error;
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);

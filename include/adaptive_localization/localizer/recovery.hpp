@@ -86,7 +86,7 @@ class Recovery {
   void settle();
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
-  void race(const Pose2& T_map_base, const Observations& observations);
+  void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);
   void conclude();
   Status judge() const;

@@ -36,8 +36,7 @@ class BeamModel : public ObservationModel {
 /// beams, a no-return counting as max_range; the sum is at least a millimetre.
 class InverseL1 : public ObservationModel {
  public:
-  explicit InverseL1(std::shared_ptr<const OccupancyGrid> map,
-                     std::shared_ptr<const DistanceField> field = nullptr)
+  InverseL1(std::shared_ptr<const OccupancyGrid> map, std::shared_ptr<const DistanceField> field)
       : ray_caster_(std::move(map), std::move(field)) {}
 
   double score(const Observations& observations, const Particles& particles,
