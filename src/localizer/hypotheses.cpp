@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/localizer/usual_error.hpp"
 #include "adaptive_localization/ser/place.hpp"
 #include "kept_place.hpp"
 #include "ser/place_refiner.hpp"
@@ -16,29 +15,15 @@ namespace {
 constexpr std::size_t kMostPlaces = 100;
 constexpr int kLikeliest = 4, kInTurn = 4;  // places judged by each scan
 constexpr double kMargin = 6.0;             // log odds below the best at which a place is ruled out
-constexpr double kTolerance = 0.015;        // m
-constexpr double kToleranceShare = 0.25;
-constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
+constexpr double kScale = 0.1 / 15.0;       // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
-constexpr double kGoodFit = 0.05;        // m, of the best place, at which a scan says all it can
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
-constexpr double kFarBetter = 0.5;       // of the error
-constexpr double kStiffness = 0.2;       // m, of the odometry, against the sum over a scan's hits
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
 Eigen::Matrix3d placeCovariance() {
   return Eigen::Vector3d(kPlaceVariance, kPlaceVariance, kPlaceTurnVariance).asDiagonal();
-}
-
-/// Where a scan fits best about a pose. Hits can be drawn to the far side of a thin wall: ranges
-/// tell.
-Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
-  const Place moved = refiner.refine(T_map_base, kStiffness);
-  const Place stayed{T_map_base, refiner.error(T_map_base)};
-  const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
-  return is_better ? moved : stayed;
 }
 
 /// The likeliest of some hypotheses that is the same place as a pose, or the end.
@@ -129,20 +114,7 @@ double Hypotheses::loss(double error, double usual) const {
 }
 
 double Hypotheses::tolerated(double level) const {
-  return (1.0 + kToleranceShare) * level + kTolerance + ground_.field->quality().roughness();
-}
-
-/// The better one of two ways to the core's place: from where it was and from where the core is.
-Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
-                              const Place& before, double usual) {
-  const Pose2 T_map_core = *hypothesis.T_map_core;
-  hypothesis.T_map_core.reset();
-  const Place now = alignedWith(refiner, T_map_core);
-  const Place& place =
-      now.error <= (1.0 + kToleranceShare) * before.error + kTolerance ? now : before;
-  const double error = refiner.error(T_map_core);
-  is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
-  return place;
+  return withTolerance(level) + ground_.field->quality().roughness();
 }
 
 /// Whether a place is so much likelier than all others that they would be ruled out, did they not
@@ -175,49 +147,13 @@ void Hypotheses::choose(double share) {
   for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
 }
 
-void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
-  least_error_ = RangeError::kTruncation;
-  is_core_beside_ = false;
-  const Hypothesis* core = nullptr;
-  for (Hypothesis& hypothesis : all_) {
-    hypothesis.T_map_ridden = hypothesis.T_map_base;
-    if (!hypothesis.is_due) continue;
-    Place place = alignedWith(refiner, hypothesis.T_map_ridden);
-    if (hypothesis.T_map_core) {
-      core = &hypothesis;
-      place = alignedCore(refiner, hypothesis, place, usual);
-    }
-    hypothesis.T_map_base = place.T_map_base;
-    hypothesis.error = place.error;
-    least_error_ = std::min(least_error_, place.error);
-  }
-  const bool is_right = core && loss(core->error, usual) == 0.0;
-  if (!is_right || least_error_ > kGoodFit) return;
-  alignTwins(refiner, between(core->T_map_ridden, core->T_map_base), usual);
-}
-
-/// What odometry got wrong is the same for all: a place that fits as well as the best does, once it
-/// is corrected as the core's was, looks the same.
-void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual) {
-  for (Hypothesis& hypothesis : all_) {
-    if (!hypothesis.is_due) hypothesis.T_map_base = hypothesis.T_map_ridden * correction;
-    if (!hypothesis.is_due || loss(hypothesis.error, usual) == 0.0) continue;
-    const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
-    if (loss(place.error, usual) > 0.0) continue;
-    hypothesis.T_map_base = place.T_map_base;
-    hypothesis.error = place.error;
-    least_error_ = std::min(least_error_, place.error);
-  }
-}
-
 void Hypotheses::weigh(const Observations& observations, double share, double usual) {
   const Scan& scan = observations.scan;
   const PlaceRefiner refiner(ground_.map, ground_.field, scan, scan.max_range,
                              RangeError::kTruncation);
   choose(share);
   align(refiner, usual);
-  const bool fits =
-      least_error_ <= std::max(kGoodFit, (1.0 + kToleranceShare) * usual + kTolerance);
+  const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
   const Eigen::ArrayXd senses = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];

@@ -103,6 +103,12 @@ class Hypotheses {
   std::vector<Mode> modes() const;
 
  private:
+  static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
+  static constexpr double kFarBetter = 0.5;  // of the error
+
+  /// An error that tells no more than another one, m.
+  static double withTolerance(double error) { return 1.25 * error + 0.015; }
+
   struct Hypothesis {
     Pose2 T_map_base;
     double log_odds{0.0};

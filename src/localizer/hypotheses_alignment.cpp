@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "adaptive_localization/localizer/hypotheses.hpp"
+#include "adaptive_localization/localizer/usual_error.hpp"
+#include "ser/place_refiner.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Where a scan fits best about a pose. Hits can be drawn to the far side of a thin wall: ranges
+/// tell.
+Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
+  constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
+  const Place moved = refiner.refine(T_map_base, kStiffness);
+  const Place stayed{T_map_base, refiner.error(T_map_base)};
+  const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
+  return is_better ? moved : stayed;
+}
+
+}  // namespace
+
+/// The better one of two ways to the core's place: from where it was and from where the core is.
+Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
+                              const Place& before, double usual) {
+  const Pose2 T_map_core = *hypothesis.T_map_core;
+  hypothesis.T_map_core.reset();
+  const Place now = alignedWith(refiner, T_map_core);
+  const Place& place = now.error <= withTolerance(before.error) ? now : before;
+  const double error = refiner.error(T_map_core);
+  is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
+  return place;
+}
+
+void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
+  least_error_ = RangeError::kTruncation;
+  is_core_beside_ = false;
+  const Hypothesis* core = nullptr;
+  for (Hypothesis& hypothesis : all_) {
+    hypothesis.T_map_ridden = hypothesis.T_map_base;
+    if (!hypothesis.is_due) continue;
+    Place place = alignedWith(refiner, hypothesis.T_map_ridden);
+    if (hypothesis.T_map_core) {
+      core = &hypothesis;
+      place = alignedCore(refiner, hypothesis, place, usual);
+    }
+    hypothesis.T_map_base = place.T_map_base;
+    hypothesis.error = place.error;
+    least_error_ = std::min(least_error_, place.error);
+  }
+  const bool is_right = core && loss(core->error, usual) == 0.0;
+  if (!is_right || least_error_ > kGoodFit) return;
+  alignTwins(refiner, between(core->T_map_ridden, core->T_map_base), usual);
+}
+
+/// What odometry got wrong is the same for all: a place that fits as well as the best does, once it
+/// is corrected as the core's was, looks the same.
+void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual) {
+  for (Hypothesis& hypothesis : all_) {
+    if (!hypothesis.is_due) hypothesis.T_map_base = hypothesis.T_map_ridden * correction;
+    if (!hypothesis.is_due || loss(hypothesis.error, usual) == 0.0) continue;
+    const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
+    if (loss(place.error, usual) > 0.0) continue;
+    hypothesis.T_map_base = place.T_map_base;
+    hypothesis.error = place.error;
+    least_error_ = std::min(least_error_, place.error);
+  }
+}
+
+}  // namespace adaptive_localization
