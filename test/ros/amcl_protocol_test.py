@@ -111,7 +111,8 @@ class AmclProtocol(unittest.TestCase):
 
     def test_transform_stays_right(self):
         drive = self.start()
-        self.wait(lambda: drive.now, "the simulator")
+        # the simulator waits for a node that localizes; one that starts slowly it would leave behind
+        self.wait(lambda: drive.now and self.knows(0.0), "the first transform")
         self.tell(drive)
         told = drive.now[0]
         self.wait(lambda: not drive.route, "the end of the route")
