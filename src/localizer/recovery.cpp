@@ -25,12 +25,14 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
       range_error_(ground.map, ground.field),
       confidence_(options, ground.field, senses),
       usual_(ground.field->quality().rangeError()),
-      hypotheses_(ground, senses) {}
+      hypotheses_(ground, senses),
+      proof_(ground.field->quality().roughness()) {}
 
 void Recovery::reset(const Prior& prior) {
   const bool is_told = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   was_tracking_ = false;
+  from_anywhere_ ? proof_.demand() : proof_.waive();
   left_.reset();
   told_ = ToldPose(is_told);
   odds_ = TrackingOdds(is_told);
@@ -50,6 +52,8 @@ void Recovery::goOnFrom(const Recovery& other) {
   next.confidence_ = confidence_;
   next.confidence_.goOnFrom(other.confidence_);
   if (ground_.map != other.ground_.map) next.usual_ = usual_;
+  next.proof_ = proof_;
+  next.proof_.goOnFrom(other.proof_);
   next.hypotheses_.standOn(ground_, senses_);
   *this = std::move(next);
 }
@@ -89,6 +93,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost
       usual_.observe(error);
     }
+    if (is_settled_) proof_.drive(motion, usual_.value());
     if (!isAtALoss()) pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
@@ -172,7 +177,10 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
-  if (hypotheses_.ruledOut()) odds_ = TrackingOdds();  // those were of that place
+  if (hypotheses_.ruledOut()) {
+    odds_ = TrackingOdds();  // those were of that place
+    proof_.demand();
+  }
   settle();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
@@ -196,7 +204,8 @@ void Recovery::conclude() {
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others; nor is a place that hardly explains the scans, however usual
-/// such scans are: so badly they fit many another.
+/// such scans are: so badly they fit many another. A place that scans alone told is one of several
+/// until it is proven.
 Status Recovery::judge() const {
   if (told_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
@@ -209,8 +218,10 @@ Status Recovery::judge() const {
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
-  if (confidence_.isCompact() && confidence_.isAmbiguous()) return Status::kAmbiguous;
-  return confidence_.isCompact() && fits ? Status::kTracking : nowhere;
+  if (!confidence_.isCompact()) return nowhere;
+  if (confidence_.isAmbiguous()) return Status::kAmbiguous;
+  if (!fits) return nowhere;
+  return proof_.isGiven() ? Status::kTracking : Status::kAmbiguous;
 }
 
 }  // namespace adaptive_localization

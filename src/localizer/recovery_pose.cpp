@@ -21,6 +21,7 @@ bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_
   constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
   constexpr double kFarFromIt = 3.0;                               // m, of way
   if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
+  if (status_ == Status::kAmbiguous && is_settled_ && !proof_.isGiven()) return true;
   if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
   if (left_way_ > kFarFromIt && heldPlace(T_map_base)) return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;

@@ -421,6 +421,51 @@ TEST(Recovery, APlaceThatWasLeftIsAmongThoseThatAreComparedNext) {
   EXPECT_GT(watched.shareOf(truth), 0.4);  // and at most one looks alike
 }
 
+/// A hall of 24 m by 4 m with a block in it, whose walls are now 0.25, now 0.65 m thick.
+std::shared_ptr<const OccupancyGrid> roughWorld() {
+  constexpr int kColumns = 480, kRows = 100, kEnd = 10, kBay = 16;  // cells
+  Art art(kRows, std::string(kColumns, '.'));
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const int depth = column / kBay % 2 == 0 ? 13 : 5;
+      const bool is_side = row < depth || row >= kRows - depth;
+      const bool is_end = column < kEnd || column >= kColumns - kEnd;
+      const bool is_block = row > 30 && row < 50 && column > 300 && column < 330;
+      if (is_side || is_end || is_block) {
+        art[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = '#';
+      }
+    }
+  }
+  return toyWorld(art, 0.05);
+}
+
+/// Metres until the robot is tracked, from the first scan on; its core is always right.
+double metresUntilTracked(Watched& watched, Pose2 truth) {
+  const Pose2 motion{0.1, 0.0, 0.0};
+  watched.believed = truth;
+  watched.see(truth, truth);
+  double metres = 0.0;
+  for (; metres < 15.0 && watched.recovery.status() != Status::kTracking; metres += motion.x) {
+    EXPECT_EQ(watched.recovery.status(), Status::kAmbiguous);
+    EXPECT_LE(watched.recovery.confidence(truth, truth), 0.5);
+    truth = truth * motion;
+    watched.see(truth, truth, motion);
+  }
+  return metres;
+}
+
+TEST(Recovery, OnARoughMapAPlaceThatNobodyToldIsKnownOnlyAfterSomeWay) {
+  const Pose2 truth{3.0, 2.0, 0.0};
+  Watched told(roughWorld());
+  told.tell(truth);
+  EXPECT_EQ(metresUntilTracked(told, truth), 0.0);
+  Watched found(roughWorld());
+  found.recovery.reset(Anywhere{});
+  const double metres = metresUntilTracked(found, truth);
+  EXPECT_GT(metres, 3.0);
+  EXPECT_LT(metres, 15.0);
+}
+
 TEST(Recovery, AScanWithoutHitsChangesNothing) {
   Watched watched(asymmetricWorld());
   watched.recovery.reset(Anywhere{});

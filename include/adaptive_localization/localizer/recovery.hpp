@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 #include "adaptive_localization/localizer/hypotheses.hpp"
+#include "adaptive_localization/localizer/proof.hpp"
 #include "adaptive_localization/localizer/search_pace.hpp"
 #include "adaptive_localization/localizer/status.hpp"
 #include "adaptive_localization/localizer/told_pose.hpp"
@@ -75,12 +77,14 @@ class Recovery {
   /// place and from all others that are left.
   double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
     const bool is_anywhere = !is_settled_ || areSamePlace(T_map_base, T_map_base_of_core);
-    return is_anywhere ? confidence_.value() * shareOf(T_map_base) : 0.0;
+    const double most = proof_.isGiven() ? 1.0 : kUnproven;
+    return is_anywhere ? std::min(most, confidence_.value() * shareOf(T_map_base)) : 0.0;
   }
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
+  static constexpr double kUnproven = 0.5;   // confidence, at the most
 
   void open(const Pose2& T_map_base);
   void settle();
@@ -111,6 +115,7 @@ class Recovery {
   bool was_tracking_{false};  // since the reset
   ToldPose told_;
   TrackingOdds odds_;
+  Proof proof_;
   double way_{0.0};  // since the last scan that counted, m or rad
 
   bool has_left_{false};        // the core's place was ruled out in this race,

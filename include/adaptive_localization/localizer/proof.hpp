@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "adaptive_localization/core/pose2.hpp"
+
+namespace adaptive_localization {
+
+/// Whether a place is known that scans alone told, and nobody. Where the map's walls are rough,
+/// scans fit many a place, and the true one may not be among those found: there the scans must go
+/// on fitting for some way, which grows with the square of the roughness.
+class Proof {
+ public:
+  /// Roughness in m, that of MapQuality.
+  explicit Proof(double roughness = 0.0)
+      : way_(kWay * roughness * roughness / (kVeryRough * kVeryRough)) {}
+
+  /// A place that somebody told needs none.
+  void waive() { driven_.reset(); }
+
+  void demand() { driven_ = 0.0; }
+
+  /// Demands on another map as much as was demanded before.
+  void goOnFrom(const Proof& other) { driven_ = other.driven_; }
+
+  /// Motion since the last scan, with the mean range error that is usual now, m: where scans
+  /// usually fit worse than a place explains them, driving on proves nothing.
+  void drive(const Pose2& motion, double usual) {
+    if (driven_) driven_ = usual > kExplained ? 0.0 : *driven_ + std::hypot(motion.x, motion.y);
+  }
+
+  bool isGiven() const { return !driven_ || *driven_ >= way_; }
+
+ private:
+  static constexpr double kWay = 7.0;          // m, where walls are as rough as
+  static constexpr double kVeryRough = 0.075;  // m, those of a plan that does not fit the building
+  static constexpr double kExplained = 0.2;    // m
+
+  double way_;                    // m
+  std::optional<double> driven_;  // m, so far; nothing if none is needed
+};
+
+}  // namespace adaptive_localization

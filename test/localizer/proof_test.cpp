@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/localizer/proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr double kRough = 0.075, kFits = 0.1, kFitsBadly = 0.25;  // m
+constexpr Pose2 kMetre{1.0, 0.0, 0.0};
+
+/// So many metres until it is given, 100 if it never is.
+int metresUntilGiven(Proof proof) {
+  int metres = 0;
+  for (; metres < 100 && !proof.isGiven(); ++metres) proof.drive(kMetre, kFits);
+  return metres;
+}
+
+TEST(Proof, IsDemandedOfNoPlaceThatSomebodyTold) {
+  Proof proof(kRough);
+  EXPECT_TRUE(proof.isGiven());
+  proof.demand();
+  EXPECT_FALSE(proof.isGiven());
+  proof.waive();
+  EXPECT_TRUE(proof.isGiven());
+}
+
+TEST(Proof, TakesAWayThatGrowsWithTheSquareOfTheRoughness) {
+  for (const auto& [roughness, metres] : {std::pair{0.0, 0}, {kRough, 7}, {2.0 * kRough, 28}}) {
+    Proof proof(roughness);
+    proof.demand();
+    EXPECT_EQ(metresUntilGiven(proof), metres) << roughness;
+  }
+}
+
+TEST(Proof, IsNotGivenByTurningOnTheSpot) {
+  Proof proof(kRough);
+  proof.demand();
+  for (int i = 0; i < 1000; ++i) proof.drive({0.0, 0.0, 0.5}, kFits);
+  EXPECT_EQ(metresUntilGiven(proof), 7);
+}
+
+TEST(Proof, StartsAgainWhereScansUsuallyFitBadly) {
+  Proof proof(kRough);
+  proof.demand();
+  for (int i = 0; i < 10; ++i) proof.drive(kMetre, kFits);
+  EXPECT_TRUE(proof.isGiven());
+  proof.drive(kMetre, kFitsBadly);
+  EXPECT_EQ(metresUntilGiven(proof), 7);
+}
+
+TEST(Proof, OnAnotherMapKeepsTheWayDriven) {
+  Proof before(kRough), after(2.0 * kRough);
+  before.demand();
+  for (int i = 0; i < 10; ++i) before.drive(kMetre, kFits);
+  after.goOnFrom(before);
+  EXPECT_EQ(metresUntilGiven(after), 18);
+}
+
+}  // namespace
+}  // namespace adaptive_localization
