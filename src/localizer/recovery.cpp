@@ -93,7 +93,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost
       usual_.observe(error);
     }
-    if (is_settled_) proof_.drive(motion, usual_.value());
+    if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss()) pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
@@ -152,9 +152,8 @@ void Recovery::settle() {
 }
 
 /// Where the core believes to be, with the mean range error there, counts as well, whether the
-/// search finds it or not. A place that
-/// is ruled out stays in the race until the one in its stead is known as well: if that is doubted,
-/// it is one of those that are compared.
+/// search finds it or not. A place that is ruled out stays in the race until the one in its stead
+/// is known as well: if that is doubted, it is one of those that are compared.
 void Recovery::race(const Pose2& T_map_base, double error, const Observations& observations) {
   hypotheses_.note(T_map_base);
   if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));

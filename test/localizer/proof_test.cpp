@@ -8,7 +8,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kRough = 0.075, kFits = 0.1, kFitsBadly = 0.25;  // m
+constexpr double kRough = 0.075;  // m
+constexpr bool kFits = true, kFitsBadly = false;
 constexpr Pose2 kMetre{1.0, 0.0, 0.0};
 
 /// So many metres until it is given, 100 if it never is.

@@ -25,10 +25,10 @@ class Proof {
   /// Demands on another map as much as was demanded before.
   void goOnFrom(const Proof& other) { driven_ = other.driven_; }
 
-  /// Motion since the last scan, with the mean range error that is usual now, m: where scans
-  /// usually fit worse than a place explains them, driving on proves nothing.
-  void drive(const Pose2& motion, double usual) {
-    if (driven_) driven_ = usual > kExplained ? 0.0 : *driven_ + std::hypot(motion.x, motion.y);
+  /// Motion since the last scan. Where scans do not usually fit as a place explains them, driving
+  /// on proves nothing.
+  void drive(const Pose2& motion, bool usually_fits) {
+    if (driven_) driven_ = usually_fits ? *driven_ + std::hypot(motion.x, motion.y) : 0.0;
   }
 
   bool isGiven() const { return !driven_ || *driven_ >= way_; }
@@ -36,7 +36,6 @@ class Proof {
  private:
   static constexpr double kWay = 7.0;          // m, where walls are as rough as
   static constexpr double kVeryRough = 0.075;  // m, those of a plan that does not fit the building
-  static constexpr double kExplained = 0.2;    // m
 
   double way_;                    // m
   std::optional<double> driven_;  // m, so far; nothing if none is needed

@@ -10,8 +10,8 @@ namespace adaptive_localization {
 
 /// Expected ranges by exact traversal of the grid (Amanatides and Woo, Eurographics 1987): every
 /// cell that the ray crosses is looked at once, so no corner is missed. With the map's distance
-/// field the ray goes on at once by as much as no wall is nearer: the same ranges in
-/// less time.
+/// field the ray goes on at once by as much as no wall is nearer: the same ranges in less
+/// time.
 class RayCaster {
  public:
   explicit RayCaster(std::shared_ptr<const OccupancyGrid> grid,
