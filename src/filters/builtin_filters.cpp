@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/map/segment_index.hpp"
 #include "adaptive_localization/match/line_map.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
@@ -42,7 +43,8 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
     const auto places = placesFor(context.ground, given);
     parts.elsewhere = makeSampler(given, context.ground.map, places);
     parts.exploration = looks == Looks::kKidnapTest
-                            ? kidnapTest(given.read<KidnapOptions>(), context.ground.map)
+                            ? kidnapTest(given.read<KidnapOptions>(), context.ground.map,
+                                         context.ground.field)
                             : augmentedExploration(given.read<ExplorationOptions>());
   }
   return std::make_unique<ParticleFilter>(given.read<ParticleFilterOptions>(), std::move(parts),
@@ -82,16 +84,20 @@ std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
   return std::make_unique<BatMove>(given.read<BatOptions>(), given.read<LeaderOptions>());
 }
 
-/// Over the walls of a plan where swarm_ranges says so, else nothing: over the map's cells.
+/// Over the walls of a plan where swarm_ranges says so, else over the map's cells.
 RayCast rayCastFor(const SwarmFixOptions& fixing, const MatchOptions& matching,
-                   const OccupancyGrid& map) {
-  if (fixing.swarm_ranges != "lines") return {};
+                   const Ground& ground) {
+  if (fixing.swarm_ranges != "lines") {
+    return [caster = RayCaster(ground.map, ground.field)](const Pose2& ray, double max_range) {
+      return caster.range(ray, max_range);
+    };
+  }
   if (matching.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as swarm_ranges is 'lines'");
   }
   const auto walls =
-      std::make_shared<const SegmentIndex>(loadLineMap(matching.line_map, map.lattice()));
+      std::make_shared<const SegmentIndex>(loadLineMap(matching.line_map, ground.map->lattice()));
   return [walls](const Pose2& ray, double max_range) { return walls->range(ray, max_range); };
 }
 
@@ -108,7 +114,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
   parts.fixer = std::make_unique<SwarmFixer>(fixing, given.read<RangeObjectiveOptions>(), leaders,
                                              given.read<EnergyGridOptions>().energy_max_range,
                                              context.ground.map, context.ground.field, places,
-                                             rayCastFor(fixing, matching, *context.ground.map));
+                                             rayCastFor(fixing, matching, context.ground));
   if (fixing.swarm_match) {
     parts.match =
         matchBy(makeScanMatcher(matching, *context.ground.map, context.ground.field->quality()));

@@ -10,9 +10,11 @@ namespace {
 
 class KidnapTest : public Exploration {
  public:
-  KidnapTest(const KidnapOptions& options, std::shared_ptr<const OccupancyGrid> map)
+  KidnapTest(const KidnapOptions& options, std::shared_ptr<const OccupancyGrid> map,
+             std::shared_ptr<const DistanceField> field)
       : options_(options),
-        range_error_(std::move(map), nullptr, std::numeric_limits<double>::infinity(), 0.0) {}
+        range_error_(std::move(map), std::move(field), std::numeric_limits<double>::infinity(),
+                     0.0) {}
 
   void reset() override {
     is_armed_ = false;
@@ -50,8 +52,9 @@ class KidnapTest : public Exploration {
 }  // namespace
 
 std::unique_ptr<Exploration> kidnapTest(const KidnapOptions& options,
-                                        std::shared_ptr<const OccupancyGrid> map) {
-  return std::make_unique<KidnapTest>(options, std::move(map));
+                                        std::shared_ptr<const OccupancyGrid> map,
+                                        std::shared_ptr<const DistanceField> field) {
+  return std::make_unique<KidnapTest>(options, std::move(map), std::move(field));
 }
 
 }  // namespace adaptive_localization

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 #include "adaptive_localization/particle/exploration.hpp"
 
@@ -38,6 +39,7 @@ struct KidnapOptions {
 /// a share 1 - local_share of the next set is drawn elsewhere while e(best) >
 /// kidnap_mean_abs_error, once the particles had converged.
 std::unique_ptr<Exploration> kidnapTest(const KidnapOptions& options,
-                                        std::shared_ptr<const OccupancyGrid> map);
+                                        std::shared_ptr<const OccupancyGrid> map,
+                                        std::shared_ptr<const DistanceField> field = nullptr);
 
 }  // namespace adaptive_localization
