@@ -67,7 +67,10 @@ bool Hypotheses::knows(const Pose2& T_map_base) const {
 }
 
 bool Hypotheses::hold(const Pose2& T_map_core, double error, double usual) const {
-  return knows(T_map_core) || (about(all_, T_map_core) != all_.end() && loss(error, usual) == 0.0);
+  const auto place = about(all_, T_map_core);
+  if (place == all_.end()) return false;
+  if (areSamePlace(place->T_map_base, T_map_core) || loss(error, usual) == 0.0) return true;
+  return place->error > kFarBetter * error;
 }
 
 double Hypotheses::entry(double malus, const TrackingOdds& odds) const {

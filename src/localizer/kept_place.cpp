@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_place.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "adaptive_localization/localizer/usual_error.hpp"
@@ -9,7 +10,8 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kMostBeams = 0.6, kMostHits = 0.9;           // of a scan that fits
-constexpr double kThrough = 0.05;                             // of the beams, beyond a wall
+constexpr double kHalf = 0.5;                                 // of the beams
+constexpr double kThrough = 0.05, kOfShort = 0.4;             // of the beams; of those too short
 constexpr double kNearlyAll = 0.95, kOn = 0.1;                // of the hits; m, from a wall
 constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
 
@@ -18,10 +20,11 @@ constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error) {
   const RangeError::Fit fit = refiner.fit(T_map_base);
-  const bool most_fits = fit.off_share < 1.0 - kMostBeams ||
+  const double through = fit.off_share - fit.short_share;
+  const bool is_hidden = through < std::max(kThrough, kOfShort * fit.short_share);
+  const bool most_fits = fit.off_share < (is_hidden ? kHalf : 1.0 - kMostBeams) ||
                          refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
   if (!most_fits) return std::numeric_limits<double>::infinity();
-  const bool is_hidden = fit.off_share - fit.short_share < kThrough;
   if (is_hidden || refiner.hitShare(T_map_base, kOn) > kNearlyAll) return kHidden;
   return is_word ? kTold : kTracked;
 }

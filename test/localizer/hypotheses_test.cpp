@@ -193,6 +193,17 @@ TEST(Hypotheses, HoldACoreThatDriftedOffAsLongAsScansFitWhereItIs) {
   EXPECT_FALSE(hypotheses.hold(kTruth * Pose2{0.0, 0.0, 0.5}, 0.03, kUsual));
 }
 
+TEST(Hypotheses, HoldACoreThatDriftedOffWhereTheirPlaceFitsHardlyBetter) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.weigh(seenAt(kTruth * Pose2{1.2, 0.0, 0.0}), 0.0, kUsual);
+  const double error = hypotheses.leastError();
+  ASSERT_GT(error, 0.05);
+  const Pose2 drifted = hypotheses.modes().front().T_map_base * Pose2{0.8, 0.0, 0.0};
+  EXPECT_TRUE(hypotheses.hold(drifted, 1.5 * error, kUsual));
+  EXPECT_FALSE(hypotheses.hold(drifted, 2.5 * error, kUsual));
+}
+
 TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Hypotheses hypotheses(asymmetricWorld());

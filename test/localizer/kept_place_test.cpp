@@ -53,6 +53,47 @@ TEST(KeptPlace, LosesLittleByWhatWasBroughtThere) {
   EXPECT_DOUBLE_EQ(against(kBare, kWithBox), 0.2);
 }
 
+TEST(KeptPlace, LosesLittleByWhatWasBroughtEvenIfAFewBeamsGoOn) {
+  const Art with_post{"################",  //
+                      "#..............#",  //
+                      "#..............#",  //
+                      "#..............#",  //
+                      "#.......########",  //
+                      "#..............#",  //
+                      "#..............#",  //
+                      "################"};
+  const Art with_wide_box{"################",  //
+                          "#.....##.......#",  //
+                          "#.....##.......#",  //
+                          "#.....##.......#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "################"};
+  EXPECT_DOUBLE_EQ(against(with_post, with_wide_box), 0.2);
+}
+
+TEST(KeptPlace, LosesLittleIfWhatWasBroughtHidesNearlyHalfAndIsLostIfItHidesMore) {
+  const Art with_two_boxes{"################",  //
+                           "#.....##.......#",  //
+                           "#.....##.......#",  //
+                           "#.....##.......#",  //
+                           "#..............#",  //
+                           "#...#..........#",  //
+                           "#...#..........#",  //
+                           "################"};
+  const Art with_walls_around{"################",  //
+                              "#....#.........#",  //
+                              "#....#.........#",  //
+                              "#....#.........#",  //
+                              "#....#.........#",  //
+                              "#....#.........#",  //
+                              "#....#.........#",  //
+                              "################"};
+  EXPECT_DOUBLE_EQ(against(kBare, with_two_boxes), 0.2);
+  EXPECT_TRUE(std::isinf(against(kBare, with_walls_around)));
+}
+
 TEST(KeptPlace, LosesLittleByWhatWasTakenAway) {
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare), 0.2);
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare, true), 0.2);
