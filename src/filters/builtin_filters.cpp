@@ -42,10 +42,10 @@ std::unique_ptr<Filter> makeParticleFilter(Size size, Looks looks, const FilterC
   } else {
     const auto places = placesFor(context.ground, given);
     parts.elsewhere = makeSampler(given, context.ground.map, places);
-    parts.exploration = looks == Looks::kKidnapTest
-                            ? kidnapTest(given.read<KidnapOptions>(), context.ground.map,
-                                         context.ground.field)
-                            : augmentedExploration(given.read<ExplorationOptions>());
+    parts.exploration =
+        looks == Looks::kKidnapTest
+            ? kidnapTest(given.read<KidnapOptions>(), context.ground.map, context.ground.field)
+            : augmentedExploration(given.read<ExplorationOptions>());
   }
   return std::make_unique<ParticleFilter>(given.read<ParticleFilterOptions>(), std::move(parts),
                                           context.seed);

@@ -58,9 +58,9 @@ class Hypotheses {
 
   bool knows(const Pose2& T_map_base) const;
 
-  /// Whether a core is in one of the places, or a step away from one, as one of the two drifted off:
-  /// unless the last scan, with its mean range error where the core is, contradicts the core and
-  /// fits the place far better.
+  /// Whether a core is in one of the places, or a step away from one, as one of the two drifted
+  /// off: unless the last scan, with its mean range error where the core is, contradicts the core
+  /// and fits the place far better.
   bool hold(const Pose2& T_map_core, double error, double usual) const;
 
   /// Log odds of a place that comes later, as if it had fitted as well as the best so far, but for
