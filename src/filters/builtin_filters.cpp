@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/map/segment_index.hpp"
 #include "adaptive_localization/match/line_map.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
@@ -87,11 +86,7 @@ std::unique_ptr<SwarmMove> makeSwarmMove(Rule rule, const Parameters& given) {
 /// Over the walls of a plan where swarm_ranges says so, else over the map's cells.
 RayCast rayCastFor(const SwarmFixOptions& fixing, const MatchOptions& matching,
                    const Ground& ground) {
-  if (fixing.swarm_ranges != "lines") {
-    return [caster = RayCaster(ground.map, ground.field)](const Pose2& ray, double max_range) {
-      return caster.range(ray, max_range);
-    };
-  }
+  if (fixing.swarm_ranges != "lines") return castOverCells(ground.map, ground.field);
   if (matching.line_map.empty()) {
     throw std::invalid_argument(
         "option 'line_map': got '', expected a floor plan, as swarm_ranges is 'lines'");

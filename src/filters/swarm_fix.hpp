@@ -79,7 +79,7 @@ class SwarmFixer {
              const std::optional<LeaderOptions>& leaders, double max_range,
              std::shared_ptr<const OccupancyGrid> map,
              std::shared_ptr<const DistanceField> distance_field, std::shared_ptr<Places> places,
-             RayCast cast = {});
+             RayCast cast);
 
   /// The best poses for a scan all over the map, from these on.
   SwarmFix fix(const Particles& start, const SwarmMove& move, const Observations& observations,
@@ -93,7 +93,7 @@ class SwarmFixer {
   /// So many of the searchers as the budget lets search where the option says ranges come from.
   int affordable(int searchers) const;
 
-  /// The cost of a pose, by ray casting: over the map's cells, or as the constructor was told.
+  /// The cost of a pose, by ray casting, as the constructor was told.
   double costOf(const Pose2& T_map_base, const Observations& observations) const;
 
   /// The largest cost there is.

@@ -9,8 +9,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kMostBeams = 0.6, kMostHits = 0.9;           // of a scan that fits
-constexpr double kHalf = 0.5;                                 // of the beams
+constexpr double kMostOff = 0.4, kMostHidden = 0.5;           // of the beams
+constexpr double kMostHits = 0.9;                             // of a scan that fits
 constexpr double kThrough = 0.05, kOfShort = 0.4;             // of the beams; of those too short
 constexpr double kNearlyAll = 0.95, kOn = 0.1;                // of the hits; m, from a wall
 constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
@@ -22,7 +22,7 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const RangeError::Fit fit = refiner.fit(T_map_base);
   const double through = fit.off_share - fit.short_share;
   const bool is_hidden = through < std::max(kThrough, kOfShort * fit.short_share);
-  const bool most_fits = fit.off_share < (is_hidden ? kHalf : 1.0 - kMostBeams) ||
+  const bool most_fits = fit.off_share < (is_hidden ? kMostHidden : kMostOff) ||
                          refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
   if (!most_fits) return std::numeric_limits<double>::infinity();
   if (is_hidden || refiner.hitShare(T_map_base, kOn) > kNearlyAll) return kHidden;

@@ -11,7 +11,7 @@ namespace adaptive_localization {
 /// said by beams that end before what the map has, if hardly any go on where it has a wall: people,
 /// things that were brought, and walls that are missing on the map do that, to half of a scan. So
 /// little do beams that go on say if nearly all end at what the map has behind: then something was
-/// taken away. Another place would show through walls here and there.
+/// taken away. From another place, beams go on through walls here and there.
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error);
 

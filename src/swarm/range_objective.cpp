@@ -59,15 +59,16 @@ double RangeObjective::error(const Beam& beam, double expected) const {
   return is_relative_ ? std::min(1.0, off / std::max(beam.range, 0.1)) : std::min(off, worst_);
 }
 
+RayCast castOverCells(std::shared_ptr<const OccupancyGrid> map,
+                      std::shared_ptr<const DistanceField> field) {
+  return [caster = RayCaster(std::move(map), std::move(field))](
+             const Pose2& ray, double max_range) { return caster.range(ray, max_range); };
+}
+
 CastObjective::CastObjective(const RangeObjectiveOptions& options, const Scan& scan,
                              double max_range, std::shared_ptr<const OccupancyGrid> map,
                              RayCast cast)
-    : RangeObjective(options, scan, max_range), map_(std::move(map)), cast_(std::move(cast)) {
-  if (cast_) return;
-  cast_ = [caster = RayCaster(map_)](const Pose2& ray, double most) {
-    return caster.range(ray, most);
-  };
-}
+    : RangeObjective(options, scan, max_range), map_(std::move(map)), cast_(std::move(cast)) {}
 
 double CastObjective::costAt(const Pose2& T_map_base) const {
   const Eigen::Vector2d sensor = T_map_base * position_;

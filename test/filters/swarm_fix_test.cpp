@@ -25,7 +25,8 @@ struct Scene {
         map(asymmetricWorld(origin)),
         field(std::make_shared<const DistanceField>(*map)),
         places(std::make_shared<Places>(map, field, EnergyGridOptions{}, GlobalSearchOptions{})),
-        fixer(options, RangeObjectiveOptions{}, LeaderOptions{}, kMaxRange, map, field, places) {}
+        fixer(options, RangeObjectiveOptions{}, LeaderOptions{}, kMaxRange, map, field, places,
+              castOverCells(map, field)) {}
 
   static SwarmFixOptions plain() {
     SwarmFixOptions options;

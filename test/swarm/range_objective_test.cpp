@@ -46,7 +46,7 @@ TEST(RangeObjective, IsLeastWhereTheScanWasTaken) {
   const Pose2 truth{2.52, 1.02, 0.3};
   const Scan scan = ToyLaser{61}.observe(map, truth).scan;
   for (const std::string error : {"truncated", "relative"}) {
-    const CastObjective cast(optionsWith(error), scan, kMaxRange, map);
+    const CastObjective cast(optionsWith(error), scan, kMaxRange, map, castOverCells(map));
     const TableObjective table = tableOf(*map, scan, optionsWith(error));
     EXPECT_LT(costAt(cast, truth), 1e-5) << error;
     EXPECT_LT(costAt(table, truth), 0.06) << error;
@@ -84,7 +84,7 @@ TEST(RangeObjective, TheTableSaysWhatRayCastingSays) {
     const auto map = asymmetricWorld(origin);
     const Lattice& lattice = map->lattice();
     const Scan scan = ToyLaser{31}.observe(map, origin * Pose2{3.0, 1.0, 0.3}).scan;
-    const CastObjective cast({}, scan, kMaxRange, map);
+    const CastObjective cast({}, scan, kMaxRange, map, castOverCells(map));
     const TableObjective table = tableOf(*map, scan);
     Rng rng(1);
     double difference = 0.0;
@@ -113,13 +113,15 @@ TEST(RangeObjective, IsTheMeanOfWhatIsWrong) {
   ASSERT_EQ(scan.hits(), 3);
   const float right = scan.range[1];
   scan.range[1] = right + 0.2F;  // straight ahead
-  EXPECT_NEAR(costAt(CastObjective({}, scan, kMaxRange, map), pose), 0.2 / 3, 1e-5);
-  const CastObjective relative(optionsWith("relative"), scan, kMaxRange, map);
+  EXPECT_NEAR(costAt(CastObjective({}, scan, kMaxRange, map, castOverCells(map)), pose), 0.2 / 3,
+              1e-5);
+  const CastObjective relative(optionsWith("relative"), scan, kMaxRange, map, castOverCells(map));
   EXPECT_NEAR(costAt(relative, pose), 0.2 / (static_cast<double>(right) + 0.2) / 3, 1e-5);
   scan.range[1] = right - 1.0F;
-  EXPECT_NEAR(costAt(CastObjective({}, scan, kMaxRange, map), pose), 0.25 / 3, 1e-5);
+  EXPECT_NEAR(costAt(CastObjective({}, scan, kMaxRange, map, castOverCells(map)), pose), 0.25 / 3,
+              1e-5);
   scan.range[1] = 0.0F;  // would divide by zero
-  const CastObjective near_zero(optionsWith("relative"), scan, kMaxRange, map);
+  const CastObjective near_zero(optionsWith("relative"), scan, kMaxRange, map, castOverCells(map));
   EXPECT_NEAR(costAt(near_zero, pose), 1.0 / 3, 1e-5);
 }
 
@@ -127,8 +129,9 @@ TEST(RangeObjective, LeavesOutWhatIsNoNumberAndIsZeroWithoutBeams) {
   const auto map = asymmetricWorld();
   Scan scan = ToyLaser{31}.observe(map, {1.0, 1.0, 0.0}).scan;
   scan.range[5] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_LT(costAt(CastObjective({}, scan, kMaxRange, map), {1.0, 1.0, 0.0}), 1e-5);
-  const CastObjective empty({}, Scan{}, kMaxRange, map);
+  EXPECT_LT(costAt(CastObjective({}, scan, kMaxRange, map, castOverCells(map)), {1.0, 1.0, 0.0}),
+            1e-5);
+  const CastObjective empty({}, Scan{}, kMaxRange, map, castOverCells(map));
   EXPECT_TRUE(empty.isEmpty());
   EXPECT_EQ(costAt(empty, {1.0, 1.0, 0.0}), 0.0);
 }
