@@ -116,6 +116,7 @@ void printTables() {
   printTable("Filters", optionsOfAll(builtins()), values);
   printTable("Matching scans", describe(MatchOptions{}), values);
   printTable("Confidence and status", describe(ConfidenceOptions{}), values);
+  printTable("Compass", describe(CompassOptions{}), values);
   printTable("Energy grid", describe(EnergyGridOptions{}), values);
   printTable("Global search", describe(GlobalSearchOptions{}), values);
   printTable("Node only", describe(NodeOptions{}), values);

@@ -31,7 +31,8 @@ void warn(const std::vector<std::string>& warnings) {
 /// All options that have a say here.
 std::vector<std::string> knownKeys(const Localizer& localizer) {
   std::vector<std::string> keys = keysOf(localizer.allOptions());
-  for (const auto& rows : {describe(FrameOptions{}), describe(StartOptions{})}) {
+  for (const auto& rows :
+       {describe(FrameOptions{}), describe(HeadingTopics{}), describe(StartOptions{})}) {
     for (const auto& key : keysOf(rows)) keys.push_back(key);
   }
   return keys;
@@ -62,6 +63,7 @@ void reportUnused(const ReplayCommand& command, const Localizer& localizer) {
 Log readLog(const ReplayCommand& command) {
   LogRequest request = command.log;
   request.frames = command.parameters.read<FrameOptions>();
+  request.headings = command.parameters.read<HeadingTopics>();
   Log log = adaptive_localization::readLog(request);
   if (!command.truth_file.empty()) setReference(loadTum(command.truth_file, log.warnings), log);
   return log;

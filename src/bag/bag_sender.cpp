@@ -3,10 +3,13 @@
 #include <console_bridge/console.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/QuaternionStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/MagneticField.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <functional>
@@ -38,9 +41,14 @@ std::pair<const std::string, Type> typeOf() {
 }
 
 const std::map<std::string, Type>& types() {
-  static const std::map<std::string, Type> all{
-      typeOf<sensor_msgs::LaserScan>(), typeOf<tf2_msgs::TFMessage>(), typeOf<nav_msgs::Odometry>(),
-      typeOf<geometry_msgs::PoseStamped>(), typeOf<geometry_msgs::PoseWithCovarianceStamped>()};
+  static const std::map<std::string, Type> all{typeOf<sensor_msgs::LaserScan>(),
+                                               typeOf<tf2_msgs::TFMessage>(),
+                                               typeOf<nav_msgs::Odometry>(),
+                                               typeOf<geometry_msgs::PoseStamped>(),
+                                               typeOf<geometry_msgs::PoseWithCovarianceStamped>(),
+                                               typeOf<sensor_msgs::Imu>(),
+                                               typeOf<sensor_msgs::MagneticField>(),
+                                               typeOf<geometry_msgs::QuaternionStamped>()};
   return all;
 }
 

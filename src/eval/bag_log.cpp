@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
 
 #include "../bag/bag_stream.hpp"
+#include "../bag/heading_ear.hpp"
 #include "bag_log_frames.hpp"
 
 namespace adaptive_localization {
@@ -103,7 +105,15 @@ class BagReader {
       : request_(request),
         stream_(request.file),
         types_(stream_.types()),
-        frames_(request.frames) {}
+        frames_(request.frames),
+        ear_(
+            request.headings,
+            [this](const std::string& frame) { return frames_.rotationOf(frame); },
+            [this](const std::string& sense, const std::string& why) {
+              complaints_.insert({sense, why});
+            }) {
+    ear_.history() = HeadingHistory(std::numeric_limits<double>::infinity());
+  }
 
   Log read() {
     scan_topic_ = choose(request_.scan_topic, kScans, types_);
@@ -113,8 +123,12 @@ class BagReader {
     if (!request_.truth_topic.empty()) {
       truth_topic_ = choose(request_.truth_topic, kReference, types_);
     }
+    checkHeadings();
     readMessages();
+    warnOfDropped("compass", ear_.headings());
+    warnOfDropped("gyroscope", ear_.rates());
     takeScans();
+    for (auto& scan : log_.scans) addHeading(scan);
     if (!truth_topic_.empty()) setReference(Trajectory(std::move(reference_)), log_);
     return std::move(log_);
   }
@@ -124,6 +138,7 @@ class BagReader {
   void readMessages() {
     while (const auto message = stream_.next()) {
       if (isOfUse(message->topic)) take(*message);
+      if (!message->is_broken) ear_.hear(*message);
     }
     if (!stream_.whyStopped().empty()) {
       log_.warnings.push_back("reading stopped early: " + stream_.whyStopped());
@@ -134,6 +149,33 @@ class BagReader {
     const std::string name = withoutSlash(topic);
     return name == "tf" || name == "tf_static" || topic == scan_topic_ || topic == odom_topic_ ||
            topic == truth_topic_;
+  }
+
+  /// A topic that the bag does not have is a slip, as a parameter that nobody knows.
+  void checkHeadings() {
+    const HeadingTopics& wanted = request_.headings;
+    for (const auto& topic :
+         {wanted.imu_topic, wanted.magnetic_field_topic, wanted.heading_topic}) {
+      const auto is_it = [&](const auto& entry) {
+        return withoutSlash(entry.first) == withoutSlash(topic);
+      };
+      if (topic.empty() || std::any_of(types_.begin(), types_.end(), is_it)) continue;
+      log_.warnings.push_back("no topic '" + topic + "' with headings in this bag");
+    }
+  }
+
+  void addHeading(LogScan& scan) const {
+    if (const auto reading = ear_.history().headingAt(scan.scan.stamp)) {
+      scan.heading = reading->heading;
+    }
+    scan.gyro = ear_.history().turnAt(scan.scan.stamp);
+  }
+
+  void warnOfDropped(const std::string& sense, const Heard& heard) {
+    if (heard.dropped == 0) return;
+    log_.warnings.push_back("messages of the " + sense +
+                            " dropped: " + std::to_string(heard.dropped) + " of " +
+                            std::to_string(heard.received) + "; the first: " + complaints_[sense]);
   }
 
   void take(const BagMessage& message) {
@@ -199,6 +241,8 @@ class BagReader {
   BagStream stream_;
   const Types& types_;
   BagFrames frames_;
+  HeadingEar ear_;
+  std::map<std::string, std::string> complaints_;  // of each sense, the first
   std::string scan_topic_, odom_topic_, truth_topic_;
   std::vector<StampedPose> odometry_, reference_;
   Log log_;

@@ -62,6 +62,11 @@ std::vector<BagFrames::PlacedScan> BagFrames::finish() {
   return std::move(placed_);
 }
 
+Eigen::Matrix3d BagFrames::rotationOf(const std::string& frame) const {
+  const std::string base = withoutSlash(frames_.base_frame_id);
+  return rotation(buffer_.lookupTransform(base, frame, ros::Time(0)).transform.rotation);
+}
+
 void BagFrames::placeWaiting(bool is_last_chance) {
   while (!waiting_.empty()) {
     const auto& message = waiting_.front();

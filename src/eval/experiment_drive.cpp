@@ -111,6 +111,8 @@ DriveScan ExperimentDrive::sight(LaserScan scan) const {
   sight.T_odom_base = T_odom_wheels_ * simulation_.odometry().T_odom_base;
   sight.velocity = velocityUntil(sight.T_odom_base);
   sight.T_map_base = truth();
+  if (const auto reading = headings_.headingAt(time())) sight.heading = reading->heading;
+  sight.gyro = headings_.turnAt(time());
   return sight;
 }
 
@@ -124,7 +126,9 @@ std::optional<DriveScan> ExperimentDrive::next() {
       scan.is_lifted = !was_carried;
       return scan;
     }
+    simulation_.disturbCompass(compassError());
     Sensed sensed = simulation_.step();
+    if (sensed.imu) hear(*sensed.imu);
     if (has_mission_) mission_.observe(simulation_, sensed.scan.has_value());
     if (!sensed.scan) continue;
     last_scan_ = *sensed.scan;
@@ -141,11 +145,13 @@ std::optional<DriveScan> ExperimentDrive::next() {
   return std::nullopt;
 }
 
-/// Kidnaps and carries; blocked beams are looked up scan by scan.
+/// Kidnaps and carries; what blocks beams or disturbs a compass is looked up scan by scan.
 void ExperimentDrive::startDueEvents() {
   if (last_scan_.ranges.empty()) return;  // nothing has begun
   const auto is_due = [&](const Due& due) {
-    return due.event.what != ExperimentEvent::What::kBlock && due.at <= time() + kSoon;
+    const bool is_move = due.event.what == ExperimentEvent::What::kKidnap ||
+                         due.event.what == ExperimentEvent::What::kCarry;
+    return is_move && due.at <= time() + kSoon;
   };
   for (auto due = due_.begin(); due != due_.end() && !carry_;) {
     if (!is_due(*due)) {
@@ -171,12 +177,14 @@ void ExperimentDrive::start(const ExperimentEvent& event) {
 }
 
 DriveScan ExperimentDrive::carriedScan() {
+  carryGyroscope();
   carried_ += scan_period_;
   const double share = std::min(1.0, (time() - carry_->from) / (carry_->until - carry_->from));
   DriveScan scan;
   scan.scan = carriedReadings();
   scan.T_odom_base = carry_->T_odom_base * Pose2{0.0, 0.0, carry_->turn * share};
   T_odom_last_scan_ = scan.T_odom_base;
+  scan.gyro = headings_.turnAt(time());
   if (time() >= carry_->until - kSoon) putDown();
   return scan;
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "adaptive_localization/core/heading_history.hpp"
 #include "adaptive_localization/eval/experiment_site.hpp"
 #include "mission_record.hpp"
 
@@ -14,6 +15,8 @@ struct DriveScan {
   std::size_t laser{0};  // which one took it
   Pose2 T_odom_base;
   BaseVelocity velocity;            // by odometry, since the scan before
+  std::optional<Heading> heading;   // of the simulated compass, if there is one
+  std::optional<GyroTurn> gyro;     // and gyroscope
   std::optional<Pose2> T_map_base;  // none while the robot is off the floor
   bool is_lifted{false};            // it was, since the scan before
   std::optional<double> put_down;   // s, when it was put down, since the scan before
@@ -56,6 +59,9 @@ class ExperimentDrive {
   Pose2 draw(const Spot& place);
   std::optional<Pose2> draw(const WrongStart& told);
   BaseVelocity velocityUntil(const Pose2& T_odom_base) const;
+  void hear(const ImuReading& reading);
+  void carryGyroscope();
+  double compassError() const;
   void startDueEvents();
   void start(const ExperimentEvent& event);
   DriveScan carriedScan();
@@ -72,6 +78,7 @@ class ExperimentDrive {
   std::vector<Due> due_;
   std::optional<Carry> carry_;
   double carried_{0.0};  // s in all
+  HeadingHistory headings_;
   Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
   std::optional<double> put_down_;
   LaserScan last_scan_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a laser reads that is carried, or before which something stands.
+// What a laser reads that is carried, or before which something stands, and what a compass does.
 #include <cmath>
 #include <limits>
 
@@ -19,6 +19,30 @@ LaserScan ExperimentDrive::carriedReadings() {
     if (any > 0.9) range = std::numeric_limits<float>::quiet_NaN();
   }
   return scan;
+}
+
+void ExperimentDrive::hear(const ImuReading& reading) {
+  headings_.addHeading(time(), reading.heading);
+  headings_.addRate(time(), reading.rate, reading.rate_deviation);
+}
+
+/// A gyroscope turns with the robot that is carried.
+void ExperimentDrive::carryGyroscope() {
+  const auto turn = headings_.turnAt(time());
+  if (!turn) return;
+  const double rate = carry_->turn / (carry_->until - carry_->from);
+  headings_.addRate(std::nextafter(time(), time() + 1.0), rate, turn->deviation);
+}
+
+double ExperimentDrive::compassError() const {
+  double error = 0.0;
+  for (const auto& due : due_) {
+    const bool is_on = due.event.what == ExperimentEvent::What::kDisturb &&
+                       time() >= due.at - Simulation::kStep / 2.0 &&
+                       time() < due.at + due.event.duration - Simulation::kStep / 2.0;
+    if (is_on) error += due.event.turned_by;
+  }
+  return error;
 }
 
 /// What stands before a beam is nearer than what the beam would have met.

@@ -43,6 +43,8 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   Observations observations;
   observations.stamp = seen.scan.stamp;
   observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
+  observations.heading = seen.heading;
+  observations.gyro = seen.gyro;
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
   judged.update_ms = watch.milliseconds();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 namespace adaptive_localization {
@@ -136,8 +137,11 @@ void readDrive(const YamlValue& value, ExperimentCase& result) {
 ExperimentEvent readEvent(const YamlValue& value) {
   using What = ExperimentEvent::What;
   ExperimentEvent event;
-  const std::string what = value.at("what").oneOf({"kidnap", "carry", "block"});
-  event.what = what == "kidnap" ? What::kKidnap : what == "carry" ? What::kCarry : What::kBlock;
+  const std::map<std::string, What> kinds{{"kidnap", What::kKidnap},
+                                          {"carry", What::kCarry},
+                                          {"block", What::kBlock},
+                                          {"disturb", What::kDisturb}};
+  event.what = kinds.at(value.at("what").oneOf({"kidnap", "carry", "block", "disturb"}));
   std::set<std::string> keys{"what", "at", "every"};
   if (event.what == What::kBlock) {
     keys.insert({"for", "share", "pattern"});
@@ -145,6 +149,9 @@ ExperimentEvent readEvent(const YamlValue& value) {
     if (value.has("pattern")) {
       event.is_sector = value.at("pattern").oneOf({"scattered", "sector"}) == "sector";
     }
+  } else if (event.what == What::kDisturb) {
+    keys.insert({"for", "turned_by"});
+    event.turned_by = value.at("turned_by").number({-kPi, kPi});
   } else {
     keys.insert("to");
     if (value.has("to")) event.to = readSpot(value.at("to"));

@@ -107,6 +107,7 @@ Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
   }
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(places.size());
   senses_->score(observations, places, log_likelihood);
+  if (log_likelihood.size() > 0) log_likelihood -= log_likelihood.maxCoeff();
   return log_likelihood;
 }
 
@@ -169,8 +170,9 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
       hypothesis.is_spared = lost > most;
       lost = std::min(lost, most);
     }
-    const double told = senses[static_cast<Eigen::Index>(i)] - lost;
-    hypothesis.log_odds += (hypothesis.is_new ? 1.0 : hypothesis.share) * told;
+    const double worth = hypothesis.is_new ? 1.0 : hypothesis.share;
+    hypothesis.log_odds -= worth * lost;
+    hypothesis.hear(worth * senses[static_cast<Eigen::Index>(i)]);
     hypothesis.is_new = false;
     hypothesis.waited = 0;
     hypothesis.share = 0.0;

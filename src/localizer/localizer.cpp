@@ -76,6 +76,7 @@ void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& be
                                       : nullptr;
 
   setThreads(setup.options.threads);
+  compass_.configure(setup.compass);
   setup_ = std::move(setup);
   setup_.parameters = context.parameters;  // knows what the filter has read
   ground_ = std::move(ground);
@@ -99,6 +100,7 @@ void Localizer::configure(const Parameters& parameters) {
   recovery.goOnFrom(*recovery_);
   recovery_.emplace(std::move(recovery));
   setThreads(setup.options.threads);
+  compass_.configure(setup.compass);
   setup_ = std::move(setup);
 }
 
@@ -117,6 +119,8 @@ void Localizer::reset(const Prior& prior) {
   match_.reset();
   recovery_->reset(prior);
   is_anywhere_ = std::holds_alternative<Anywhere>(prior);
+  if (!is_anywhere_) compass_.reset();  // what was learned elsewhere may be wrong
+  gyroscope_.restart();
   T_odom_base_at_update_.reset();
   last_ = {};
   last_.status = Status::kGlobalizing;
@@ -162,19 +166,21 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   last_.updated = false;
   if (last_.status == Status::kUninitialised || !isFinite(T_odom_base)) return last_;
   const bool first = !T_odom_base_at_update_;
-  const Pose2 motion = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
-  if (first || update_requested_ || gateOpens(motion, observations)) {
-    updateBelief(motion, observations);
-    T_odom_base_at_update_ = T_odom_base;
+  const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
+  gyroscope_.observe(T_odom_base, observations);
+  if (first || update_requested_ || gateOpens(by_wheels, observations)) {
+    const Pose2 slip = gyroscope_.slipDuring(by_wheels);
+    updateBelief(by_wheels * slip, observations);
     const Pose2& T_map_core = last_.estimate.T_map_base;
-    const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base;
+    const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base * slip;
     const Pose2 T_map_base =
         setup_.options.recovery ? recovery_->published(by_odometry, last_.estimate) : T_map_core;
+    T_odom_base_at_update_ = T_odom_base;
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
     conclude(T_map_base);
     update_requested_ = false;
   } else if (recovery_->isUnverified(observations.scan)) {  // even where the robot stands still
-    recovery_->verify(last_.estimate, observations);
+    recovery_->verify(last_.estimate, withHeadingInMap(observations));
     conclude(last_.T_map_odom * *T_odom_base_at_update_);
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
@@ -188,10 +194,21 @@ bool Localizer::gateOpens(const Pose2& motion, const Observations& observations)
   return recovery_->isContradicted(last_.estimate.T_map_base * motion, observations.scan);
 }
 
+/// Cores and Recovery know one frame, the map's.
+Observations Localizer::withHeadingInMap(Observations observations) const {
+  observations.heading = compass_.inMap(observations.heading);
+  return observations;
+}
+
 void Localizer::updateBelief(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
-  last_.estimate = askCore(motion, observations);
-  recovery_->observe(motion, T_map_base_expected, last_.estimate, observations);
+  const Observations on_map = withHeadingInMap(observations);
+  last_.estimate = askCore(motion, on_map);
+  recovery_->observe(motion, T_map_base_expected, last_.estimate, on_map);
+  if (observations.heading && recovery_->knowsByScans()) {
+    compass_.compare(*observations.heading, last_.estimate.T_map_base.theta,
+                     last_.estimate.covariance(2, 2), wayOf(motion));
+  }
   if (setup_.options.recovery && recovery_->mustMove()) moveBelief();
   last_.updated = true;
 }

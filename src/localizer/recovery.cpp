@@ -78,14 +78,15 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   pace_.travel(wayOf(motion));
   told_.travel(wayOf(motion));
   odds_.checkJump(motion);
+  scan_fits_ = false;
   if (isCovered(observations.scan)) {
     odds_.seeNothing();
     return conclude();
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = range_error_.at(T_map_base, observations.scan).error;
-  const bool is_unexplained = error > usual_.limit() || confidence_.isGainsaid();
-  unexplained_ = is_unexplained ? unexplained_ + 1 : 0;
+  scan_fits_ = error <= usual_.limit();
+  unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
     if (!is_settled_) {
@@ -94,11 +95,12 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
       usual_.observe(error);
     }
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
-    if (!isAtALoss()) pace_.restart();
+    if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
     if (status_ == Status::kTracking) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
   }
-  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue())) {
+  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue() ||
+                      isOutvoted(T_map_base, error, observations))) {
     open(T_map_base_expected);
   } else if (is_settled_) {
     pace_.skipScan();
@@ -131,6 +133,24 @@ bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
   if (had_place && !areSamePlace(expected, T_map_base)) return true;
   return (unexplained_ > 0 || isAtALoss()) && pace_.isOver(error);
+}
+
+/// Another sense gainsays the core's place, and there is one that both scan and sense agree on. If
+/// there is none, it is the sense that is wrong.
+bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observations& observations) {
+  constexpr double kBetter = 1.0;  // of a log likelihood
+  if (!confidence_.isGainsaid() || !pace_.isOver(error)) return false;
+  const std::vector<Place>& places = ground_.places->search(observations);
+  if (!ground_.places->isReadyFor(observations.scan)) return false;
+  pace_.searched(false, error);
+  Particles poses(static_cast<Eigen::Index>(places.size()) + 1);
+  poses.setPose(0, T_map_base);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    poses.setPose(static_cast<Eigen::Index>(i) + 1, places[i].T_map_base);
+  }
+  Eigen::ArrayXd told = Eigen::ArrayXd::Zero(poses.size());
+  senses_->score(observations, poses, told);
+  return told.maxCoeff() > told[0] + kBetter;
 }
 
 void Recovery::open(const Pose2& T_map_base) {

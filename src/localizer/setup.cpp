@@ -21,7 +21,7 @@ std::vector<OptionDescription> placesOptions() {
 std::vector<OptionDescription> localizerOptions() {
   std::vector<OptionDescription> all = describe(LocalizerOptions{});
   for (const auto& rows : {describe(ScanOptions{}), describe(ConfidenceOptions{}),
-                           describe(MatchOptions{}), placesOptions()}) {
+                           describe(CompassOptions{}), describe(MatchOptions{}), placesOptions()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;
@@ -67,6 +67,7 @@ Setup SetupReader::read(Parameters parameters) {
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
   setup.confidence = parameters.read<ConfidenceOptions>();
+  setup.compass = parameters.read<CompassOptions>();
   parameters.read<MatchOptions>();                        // they are known, whoever needs them
   for (const auto& option : optionsOfAll(registries_)) {  // other cores' options are no mistakes
     parameters.acknowledge(option.key);

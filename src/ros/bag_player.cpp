@@ -66,6 +66,7 @@ void playBag(BagStream& bag, LocalizationNode& node, const std::function<bool()>
         stamp = scan->header.stamp;
       }
     }
+    node.hear(*message);
     queue->callAvailable();
   }
   if (!bag.whyStopped().empty())

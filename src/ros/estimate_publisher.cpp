@@ -96,7 +96,8 @@ void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& 
 
 void EstimatePublisher::publishStatus(const Localization& answer, const ros::Time& stamp,
                                       const Match* match, Eigen::Index particles,
-                                      double ms_per_update, const ScanSource::Counts& scans) {
+                                      double ms_per_update, const ScanSource::Counts& scans,
+                                      const std::vector<SenseStatus>& senses) {
   DiagnosticStatus status =
       makeStatus("localization", levelOf(answer.status), toText(answer.status));
   add(status, "stamp", print("%u.%09u", stamp.sec, stamp.nsec));
@@ -117,6 +118,7 @@ void EstimatePublisher::publishStatus(const Localization& answer, const ros::Tim
   add(status, "particles", std::to_string(particles));
   add(status, "ms per update", print("%.3f", ms_per_update));
   addCounts(status, scans);
+  addSenses(status, senses);
   status_.publish(status);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "heading_source.hpp"
 #include "node_options.hpp"
 #include "scan_source.hpp"
 
@@ -29,7 +30,8 @@ class EstimatePublisher {
   /// The status in words with its figures, after the scan of this stamp. `ms_per_update` is that
   /// of the last update, and so is the match, if there is one.
   void publishStatus(const Localization& answer, const ros::Time& stamp, const Match* match,
-                     Eigen::Index particles, double ms_per_update, const ScanSource::Counts& scans);
+                     Eigen::Index particles, double ms_per_update, const ScanSource::Counts& scans,
+                     const std::vector<SenseStatus>& senses);
 
   /// Time jumped back: stamps that were used may come again.
   void forgetStamps() { sent_ = {}; }

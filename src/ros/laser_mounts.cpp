@@ -23,10 +23,12 @@ std::string readDescription(const ros::NodeHandle& node) {
 
 }  // namespace
 
-LaserMounts::LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame)
+LaserMounts::LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame,
+                         std::string kind)
     : node_(node),
       tf_(tf),
       base_frame_(std::move(base_frame)),
+      kind_(std::move(kind)),
       robot_description_(readDescription(node)) {}
 
 LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
@@ -64,8 +66,8 @@ void LaserMounts::know(const std::string& frame, Laser& laser, const char* sourc
   say(frame, source);
   laser.view = viewFromUrdf(robot_description_, frame);
   if (std::isfinite(laser.view.low)) {
-    ROS_INFO("Laser '%s' sees from %.1f to %.1f deg: from robot_description", frame.c_str(),
-             laser.view.low * 180.0 / kPi, laser.view.high * 180.0 / kPi);
+    ROS_INFO("%s '%s' sees from %.1f to %.1f deg: from robot_description", kind_.c_str(),
+             frame.c_str(), laser.view.low * 180.0 / kPi, laser.view.high * 180.0 / kPi);
   }
 }
 
@@ -75,7 +77,7 @@ bool LaserMounts::takeFromUrdf(const std::string& frame) {
   try {
     transform.transform = toTransformMessage(mountFromUrdf(robot_description_, base_frame_, frame));
   } catch (const std::invalid_argument& error) {
-    ROS_WARN("No mount for laser '%s': %s", frame.c_str(), error.what());
+    ROS_WARN("No mount for '%s': %s", frame.c_str(), error.what());
     return false;
   }
   transform.header.frame_id = base_frame_;
@@ -86,8 +88,8 @@ bool LaserMounts::takeFromUrdf(const std::string& frame) {
 void LaserMounts::say(const std::string& frame, const char* source) const {
   std::string why;
   if (const auto mount = at(frame, ros::Time(0), &why)) {
-    ROS_INFO("Laser '%s' sits at (%.3f, %.3f) m, %.1f deg on '%s': from %s", frame.c_str(),
-             mount->position.x(), mount->position.y(),
+    ROS_INFO("%s '%s' sits at (%.3f, %.3f) m, %.1f deg on '%s': from %s", kind_.c_str(),
+             frame.c_str(), mount->position.x(), mount->position.y(),
              std::atan2(mount->axes(1, 0), mount->axes(0, 0)) * 180.0 / kPi, base_frame_.c_str(),
              source);
   }

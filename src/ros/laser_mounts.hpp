@@ -13,12 +13,15 @@
 
 namespace adaptive_localization {
 
-/// Where the lasers sit on the robot. tf says so; for a frame that tf does not know, the URDF in
-/// robot_description does, through its fixed joints. Says once per laser which of the two it was.
-/// The angles between which a laser sees come from robot_description, if it has them.
+/// Where the lasers, or sensors of another kind, sit on the robot. tf says so; for a frame that tf
+/// does not know, the URDF in robot_description does, through its fixed joints. Says once per laser
+/// which of the two it was. The angles between which a laser sees come from robot_description, if
+/// it has them.
 class LaserMounts {
  public:
-  LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame);
+  /// `kind` is what messages call them.
+  LaserMounts(const ros::NodeHandle& node, tf2_ros::Buffer& tf, std::string base_frame,
+              std::string kind = "Laser");
 
   enum class Knowledge { kKnown, kNotYet, kUnknown };
 
@@ -47,6 +50,7 @@ class LaserMounts {
   ros::NodeHandle node_;
   tf2_ros::Buffer& tf_;
   std::string base_frame_;
+  std::string kind_;
   std::map<std::string, Laser> lasers_;
   std::string robot_description_;
   Background<std::string> asking_;  // for the same, if a laser is not in it

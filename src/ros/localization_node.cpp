@@ -26,6 +26,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           node, tf_, tf_input_, options_,
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
           [this](double seconds) { onTimeJump(seconds); }),
+      headings_(node, tf_, odometry_, options_),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(
           node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
       global_localization_(serve<std_srvs::Empty>(
@@ -91,7 +92,9 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   }
   places_.prepare(scan);
   const auto begin = std::chrono::steady_clock::now();
-  const Localization answer = localizer_->update(*T_odom_base, {stamp.toSec(), scan});
+  Observations observations{stamp.toSec(), scan};
+  headings_.observe(*T_odom_base, observations);
+  const Localization answer = localizer_->update(*T_odom_base, observations);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   if (answer.updated) ms_per_update_ = spent.count();
 
@@ -104,7 +107,8 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     pose_keeper_.keep({answer.T_map_base, answer.covariance}, stamp);
   }
   const Match* match = localizer_->match();
-  publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts());
+  publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts(),
+                           senses());
   display_.show(answer, scan, match, localizer_->places(), stamp);
   return true;
 }
@@ -118,6 +122,7 @@ void LocalizationNode::onTimeJump(double seconds) {
   }
   ROS_WARN("Time jumped back by %.1f s: starting anew around the last pose", -seconds);
   odometry_watch_.forget();
+  headings_.forget();
   publisher_.forgetStamps();
   if (answer_) startAround(*answer_);
 }
@@ -150,6 +155,7 @@ void LocalizationNode::requestFollowUps() {
 NodeHealth LocalizationNode::health() const {
   NodeHealth health;
   health.scans = scans_.counts();
+  health.senses = senses();
   const bool wants_pose =
       localizer_ ? answer_ && answer_->status == Status::kUninitialised : !prior_.has_value();
   const auto lack = [&](const std::string& what) {
@@ -164,6 +170,19 @@ NodeHealth LocalizationNode::health() const {
   }
   if (const Match* match = localizer_ ? localizer_->match() : nullptr) health.match = match->fault;
   return health;
+}
+
+/// What is heard by senses beside the laser, and what becomes of it.
+std::vector<SenseStatus> LocalizationNode::senses() const {
+  std::vector<SenseStatus> all;
+  for (const SenseHealth& sense : headings_.health()) {
+    const bool is_heard = sense.missing.empty();
+    const std::string use = !localizer_               ? "no map yet"
+                            : sense.name == "compass" ? localizer_->compass().state()
+                                                      : localizer_->gyroscope().state();
+    all.push_back({sense, is_heard ? use : sense.missing, is_heard && use != "disturbed"});
+  }
+  return all;
 }
 
 void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {

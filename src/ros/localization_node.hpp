@@ -13,6 +13,7 @@
 #include "continuity.hpp"
 #include "display.hpp"
 #include "estimate_publisher.hpp"
+#include "heading_source.hpp"
 #include "map_builder.hpp"
 #include "map_source.hpp"
 #include "node_diagnostics.hpp"
@@ -41,6 +42,7 @@ class LocalizationNode {
   tf2_ros::Buffer& tf() { return tf_; }
   bool hearsScansOn(const std::string& topic) const { return scans_.hears(topic); }
   void add(const sensor_msgs::LaserScan::ConstPtr& scan) { scans_.add(scan); }
+  void hear(const BagMessage& message) { headings_.add(message); }
   void localizeAnywhere() { start(Anywhere{}); }
   const std::optional<Localization>& answer() const { return answer_; }
   std::string missing() const { return health().missing; }
@@ -60,6 +62,7 @@ class LocalizationNode {
   void startAround(const Localization& known);
   void requestFollowUps();
   NodeHealth health() const;
+  std::vector<SenseStatus> senses() const;
 
   Parameters parameters_;
   NodeOptions options_;
@@ -81,6 +84,7 @@ class LocalizationNode {
   ParameterWriter parameter_writer_;
   PoseKeeper pose_keeper_;
   ScanSource scans_;
+  HeadingSource headings_;
   ros::Subscriber initial_pose_;
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;

@@ -42,6 +42,19 @@ DiagnosticStatus scanStatus(const NodeHealth& health) {
   return status;
 }
 
+DiagnosticStatus sensesStatus(const std::vector<SenseStatus>& senses) {
+  std::string troubles;
+  for (const SenseStatus& sense : senses) {
+    if (sense.is_fine) continue;
+    troubles += (troubles.empty() ? "" : "; ") + sense.health.name + ": " + sense.state;
+  }
+  const bool fine = troubles.empty();
+  DiagnosticStatus status = makeStatus(
+      "Senses", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN, fine ? "OK" : troubles);
+  addSenses(status, senses);
+  return status;
+}
+
 DiagnosticStatus matchStatus(MatchFault fault) {
   const bool fine = !isRefusal(fault);
   return makeStatus("Match", fine ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
@@ -63,6 +76,7 @@ void NodeDiagnostics::publish() {
   message.header.stamp = ros::Time::now();
   if (health.covariance) message.status.push_back(deviationStatus(*health.covariance, options_));
   message.status.push_back(scanStatus(health));
+  if (!health.senses.empty()) message.status.push_back(sensesStatus(health.senses));
   if (health.match) message.status.push_back(matchStatus(*health.match));
   publisher_.publish(message);
   complain(health);

@@ -7,8 +7,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/match/scan_matcher.hpp"
+#include "heading_source.hpp"
 #include "node_options.hpp"
 #include "scan_source.hpp"
 
@@ -17,6 +19,7 @@ namespace adaptive_localization {
 /// How the node is, for people and for /diagnostics.
 struct NodeHealth {
   ScanSource::Counts scans;
+  std::vector<SenseStatus> senses;            // beside the laser
   std::string missing;                        // what localizing waits for; empty: nothing
   bool is_as_told{false};                     // nothing but the pose that it was told to wait for
   std::optional<Eigen::Matrix3d> covariance;  // of the last pose, if there is one

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
+#include "adaptive_localization/core/heading_topics.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
@@ -34,6 +35,7 @@ struct NodeOptions {
   std::string global_frame_id{"map"};
   std::string scan_topics{"scan"};
   double scan_time_offset{0.0};
+  HeadingTopics headings;
   bool use_map_topic{false};
   bool first_map_only{false};
   bool map_origin_is_cell_center{false};
@@ -64,6 +66,7 @@ struct NodeOptions {
            "Topics with scans, separated by spaces or commas.");
     option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
            "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
+    headings.visit(option);
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");

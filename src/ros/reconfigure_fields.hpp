@@ -28,7 +28,8 @@ inline bool isReadAtStart(const std::string& key) {
   static const std::set<std::string> keys{
       "odom_frame_id", "base_frame_id", "global_frame_id",
       "scan_topics",   "use_map_topic", "first_map_only",
-      "tf_rate",       "pose_file",     "map_origin_is_cell_center"};
+      "tf_rate",       "pose_file",     "map_origin_is_cell_center",
+      "imu_topic",     "heading_topic", "magnetic_field_topic"};
   return keys.count(key) > 0;
 }
 

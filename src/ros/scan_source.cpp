@@ -15,8 +15,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;
-constexpr std::size_t kReasonsKept = 100;
-const ros::WallDuration kSayAgain(5.0);
 const ros::WallDuration kPatience(3.0);  // without a scan
 
 }  // namespace
@@ -113,13 +111,7 @@ bool ScanSource::isSettled() const {
 
 void ScanSource::drop(const std::string& why, bool is_said) {
   ++counts_.dropped;
-  if (!is_said) return;
-  // The same reason, whatever its figures, is said now and then; another one at once.
-  if (said_.size() > kReasonsKept) said_.clear();
-  ros::WallTime& said = said_[why.substr(0, why.find_first_of("0123456789"))];
-  const auto now = ros::WallTime::now();
-  if (now - said < kSayAgain) return;
-  said = now;
+  if (!is_said || !complaints_.isDue(why)) return;
   ROS_WARN("Scan dropped (%d of %d so far): %s", counts_.dropped, counts_.received, why.c_str());
 }
 

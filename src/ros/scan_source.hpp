@@ -7,11 +7,11 @@
 #include <tf2_ros/message_filter.h>
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "adaptive_localization/core/scan.hpp"
+#include "complaints.hpp"
 #include "continuity.hpp"
 #include "laser_mounts.hpp"
 #include "node_options.hpp"
@@ -69,7 +69,7 @@ class ScanSource {
   ros::WallTime last_received_;
   ros::WallTime last_placed_;
   std::string last_frame_;
-  std::map<std::string, ros::WallTime> said_;  // reasons for dropping scans
+  Complaints complaints_;  // of scans that were dropped
   Filter filter_;
   std::vector<ros::Subscriber> subscribers_;
 };

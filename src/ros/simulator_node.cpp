@@ -3,6 +3,7 @@
 
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -68,15 +69,20 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   if (options_.publish_clock) clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
   odometry_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
   scan_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
+  if (simulation_.hasImu()) imu_ = node.advertise<sensor_msgs::Imu>("imu", kQueue);
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
-  if (options_.publish_laser_tf) publishLaserFrames();
+  if (options_.publish_laser_tf) publishSensorFrames();
   transforms_ = subscribe<tf2_msgs::TFMessage>(
       node, "/tf", kQueue, [this](const auto& message) { onTransforms(*message); });
   command_ = subscribe<geometry_msgs::Twist>(node, "cmd_vel", 1,
                                              [this](const auto& message) { onCommand(*message); });
   kidnap_ = subscribe<geometry_msgs::PoseStamped>(
       node, "kidnap", 1, [this](const auto& message) { onKidnap(*message); });
+  if (simulation_.hasImu()) {
+    disturbance_ = subscribe<std_msgs::Float64>(
+        node, "disturb_compass", 1, [this](const auto& message) { onDisturbance(*message); });
+  }
   kidnap_random_ = serve<std_srvs::Empty>(node, "kidnap_random",
                                           [this](auto&, auto&) { return onKidnapRandom(); });
   reset_ =
@@ -125,6 +131,7 @@ void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
 /// Odometry first, so that whoever gets the scan can place it.
 void SimulatorNode::publish(const Sensed& sensed) {
   if (sensed.odometry) publishOdometry(*sensed.odometry);
+  if (sensed.imu) publishImu(*sensed.imu);
   if (!sensed.scan) return;
   publishScan(*sensed.scan, options_.laser_frame);
   if (sensed.second_scan) publishScan(*sensed.second_scan, options_.second_laser_frame);
@@ -159,6 +166,21 @@ void SimulatorNode::publishScan(const LaserScan& scan, const std::string& frame)
   scan_.publish(message);
 }
 
+void SimulatorNode::publishImu(const ImuReading& reading) {
+  const auto square = [](double value) { return value * value; };
+  sensor_msgs::Imu message;
+  message.header.stamp = toRosTime(reading.stamp);
+  message.header.frame_id = options_.imu_frame;
+  message.orientation = toPoseMessage({0.0, 0.0, reading.heading.theta}).orientation;
+  message.angular_velocity.z = reading.rate;
+  message.linear_acceleration_covariance[0] = -1.0;
+  for (const std::size_t axis : {0, 4, 8}) {
+    message.orientation_covariance[axis] = square(reading.heading.deviation);
+    message.angular_velocity_covariance[axis] = square(reading.rate_deviation);
+  }
+  imu_.publish(message);
+}
+
 void SimulatorNode::publishMarkers() {
   std_msgs::Header header;
   header.stamp = toRosTime(simulation_.time());
@@ -166,7 +188,7 @@ void SimulatorNode::publishMarkers() {
   markers_.publish(truthMarkers(header, simulation_.truth(), simulation_.people()));
 }
 
-void SimulatorNode::publishLaserFrames() {
+void SimulatorNode::publishSensorFrames() {
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const Pose2& mount : simulation_.laserMounts()) {
     geometry_msgs::TransformStamped transform;
@@ -176,6 +198,12 @@ void SimulatorNode::publishLaserFrames() {
         transforms.empty() ? options_.laser_frame : options_.second_laser_frame;
     transform.transform = toTransformMessage(mount);
     transform.transform.translation.z = options_.laser_z;
+    transforms.push_back(transform);
+  }
+  if (simulation_.hasImu()) {
+    geometry_msgs::TransformStamped transform = transforms.front();
+    transform.child_frame_id = options_.imu_frame;
+    transform.transform = toTransformMessage(Pose2{});
     transforms.push_back(transform);
   }
   static_tf_.sendTransform(transforms);
@@ -194,6 +222,15 @@ void SimulatorNode::onKidnap(const geometry_msgs::PoseStamped& message) {
   }
   simulation_.kidnap(pose);
   reportPlace("Robot carried");
+}
+
+void SimulatorNode::onDisturbance(const std_msgs::Float64& message) {
+  if (!std::isfinite(message.data)) {
+    ROS_WARN("disturb_compass: got %g, expected an angle in radians; ignored", message.data);
+    return;
+  }
+  simulation_.disturbCompass(message.data);
+  ROS_INFO("Compass turned by %.0f deg", message.data * 180.0 / kPi);
 }
 
 bool SimulatorNode::onKidnapRandom() {

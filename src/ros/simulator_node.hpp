@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/Empty.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/static_transform_broadcaster.h>
@@ -23,6 +24,7 @@ struct SimulatorNodeOptions {
   double laser_z{0.30};
   std::string laser_frame{"laser"};
   std::string second_laser_frame{"laser_2"};
+  std::string imu_frame{"imu"};
   std::string odom_frame_id{"odom"};
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
@@ -41,15 +43,17 @@ struct SimulatorNodeOptions {
     option("laser_z", laser_z, Range{-10, 10}, "m", "The laser's height above the floor.");
     option("laser_frame", laser_frame, Choices{}, "Frame of the scans.");
     option("second_laser_frame", second_laser_frame, Choices{}, "The same of the second laser.");
+    option("imu_frame", imu_frame, Choices{}, "Frame of the compass and the gyroscope.");
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the truth.");
   }
 };
 
-/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan and the truth
-/// out. Topic kidnap carries the robot to a pose, service kidnap_random anywhere, reset_positions
-/// to the start. One thread, no locks.
+/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan, imu if it has
+/// one, and the truth out. Topic kidnap carries the robot to a pose, disturb_compass turns what the
+/// compass tells by an angle, service kidnap_random anywhere, reset_positions to the start. One
+/// thread, no locks.
 class SimulatorNode {
  public:
   /// Throws std::invalid_argument naming what is wrong with a parameter or the world.
@@ -62,12 +66,14 @@ class SimulatorNode {
   void publish(const Sensed& sensed);
   void publishOdometry(const OdometryReading& reading);
   void publishScan(const LaserScan& scan, const std::string& frame);
+  void publishImu(const ImuReading& reading);
   void publishMarkers();
-  void publishLaserFrames();
+  void publishSensorFrames();
   bool mustWait() const;
   void onTransforms(const tf2_msgs::TFMessage& message);
   void onCommand(const geometry_msgs::Twist& message);
   void onKidnap(const geometry_msgs::PoseStamped& message);
+  void onDisturbance(const std_msgs::Float64& message);
   bool onKidnapRandom();
   bool onReset();
   void reportPlace(const char* what) const;
@@ -84,11 +90,13 @@ class SimulatorNode {
   ros::Publisher clock_;
   ros::Publisher odometry_;
   ros::Publisher scan_;
+  ros::Publisher imu_;  // where there is one
   ros::Publisher truth_;
   ros::Publisher markers_;
   ros::Subscriber transforms_;
   ros::Subscriber command_;
   ros::Subscriber kidnap_;
+  ros::Subscriber disturbance_;
   ros::ServiceServer kidnap_random_;
   ros::ServiceServer reset_;
   ros::WallTimer timer_;

@@ -5,7 +5,9 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
+#include "heading_source.hpp"
 #include "scan_source.hpp"
 
 namespace adaptive_localization {
@@ -34,6 +36,16 @@ inline void addCounts(diagnostic_msgs::DiagnosticStatus& status, const ScanSourc
   add(status, "scans received", std::to_string(scans.received));
   add(status, "scans used", std::to_string(scans.used));
   add(status, "scans dropped", std::to_string(scans.dropped));
+}
+
+inline void addSenses(diagnostic_msgs::DiagnosticStatus& status,
+                      const std::vector<SenseStatus>& senses) {
+  for (const SenseStatus& sense : senses) {
+    const std::string& name = sense.health.name;
+    add(status, name, sense.state);
+    add(status, name + " messages received", std::to_string(sense.health.heard.received));
+    add(status, name + " messages dropped", std::to_string(sense.health.heard.dropped));
+  }
 }
 
 template <class... Values>

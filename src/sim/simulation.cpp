@@ -10,7 +10,7 @@ namespace adaptive_localization {
 namespace {
 
 /// Streams of randomness, one per part, so that more people do not change the laser's noise.
-enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams };
+enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams, kImu };
 
 Pose2 parsePose(const std::string& text) {
   std::istringstream in(text);
@@ -65,6 +65,7 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       base_(options.base),
       odometry_(options.odometry, options.base.base == "omni", rng_.split(kWheels)),
       laser_mounts_(adaptive_localization::laserMounts(options.laser)),
+      imu_(options.imu, rng_.split(kImu)),
       people_(free_space_, options.people, rng_.split(kWalks)),
       driver_(free_space_, site.route, options.route, options.base.base == "omni",
               rng_.split(kRoute)),
@@ -109,6 +110,7 @@ Sensed Simulation::step() {
     odometry_.report(*due - time());
     sensed.odometry = {*due, odometry_.pose(*due - time()), odometry_.velocity()};
   }
+  if (options_.imu.imu) sensed.imu = imu_.read(time(), T_map_base_.theta, base_.velocity().turn);
   if (const auto due = scans_.beat(time())) scan(*due);
   if (!on_the_wire_.empty() && on_the_wire_.front().scan->stamp <= time() + kStep / 2.0) {
     sensed.scan = std::move(on_the_wire_.front().scan);

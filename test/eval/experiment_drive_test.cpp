@@ -112,6 +112,39 @@ TEST_F(Drive, SeesAnythingWhileItIsCarriedIfAskedTo) {
   EXPECT_GT(invalid, 100);
 }
 
+TEST_F(Drive, TellsHeadingsThatAreDisturbedForAWhile) {
+  const auto scans = drive(
+      "duration: 4\nstart: [1, 0.6, 0]\nsimulation: {imu: true, imu_heading_noise: 0.001, "
+      "imu_heading_bias: 0, imu_rate_noise: 0.001, imu_rate_bias: 0}\n"
+      "events: [{what: disturb, at: 1, for: 2, turned_by: 1.5}]\n");
+  ASSERT_EQ(scans.size(), 40U);
+  for (const DriveScan& scan : scans) {
+    ASSERT_TRUE(scan.heading && scan.gyro);
+    const double at = scan.scan.stamp;
+    if (std::abs(at - 1.0) < 0.05 || std::abs(at - 3.0) < 0.05) continue;
+    const double error = at > 1.0 && at < 3.0 ? 1.5 : 0.0;
+    EXPECT_NEAR(wrapAngle(scan.heading->theta - scan.T_map_base->theta), error, 0.01) << at;
+  }
+  const double turned = scans.back().gyro->angle - scans.front().gyro->angle;
+  const double truly = scans.back().T_map_base->theta - scans.front().T_map_base->theta;
+  EXPECT_NEAR(wrapAngle(turned - truly), 0.0, 0.02);
+}
+
+TEST_F(Drive, TheGyroscopeTurnsWithARobotThatIsCarried) {
+  const auto scans = drive(
+      "duration: 5\nstart: [1, 0.6, 0]\n"
+      "simulation: {drive: false, imu: true, imu_rate_noise: 0.001, imu_rate_bias: 0}\n"
+      "events: [{what: carry, at: 1, for: 2, to: [4, 0.6, 2]}]\n");
+  EXPECT_NEAR(scans.back().gyro->angle - scans.front().gyro->angle, 2.0, 0.15);
+  EXPECT_EQ(scans.back().gyro->since, scans.front().gyro->since);
+}
+
+TEST_F(Drive, HasNoHeadingsWithoutACompass) {
+  const auto scans = drive("duration: 1\nstart: [1, 0.6, 0]\n");
+  EXPECT_FALSE(scans.back().heading);
+  EXPECT_FALSE(scans.back().gyro);
+}
+
 TEST_F(Drive, HasAShareOfTheBeamsBlockedForAWhile) {
   const std::string lines = "duration: 3\nstart: [1, 0.6, 0]\n";
   const auto free = drive(lines);

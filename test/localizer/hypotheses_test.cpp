@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adaptive_localization/observation/heading_prior.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 
@@ -39,6 +40,41 @@ TEST(Hypotheses, APlaceThatDoesNotFitIsRuledOut) {
   ASSERT_EQ(hypotheses.modes().size(), 1U);
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
   EXPECT_LT(hypotheses.leastError(), 0.02);
+}
+
+Senses compass() {
+  auto senses = std::make_shared<ComposedModel>();
+  senses->add(std::make_unique<HeadingPrior>());
+  return senses;
+}
+
+TEST(Hypotheses, ACompassDecidesBetweenPlacesThatLookTheSame) {
+  const Pose2 truth{1.0, 1.0, 0.0};
+  const Pose2 twin{5.0, 2.0, kPi};
+  Hypotheses hypotheses(Ground(symmetricWorld()), compass());
+  hypotheses.add(twin, 0.0);
+  hypotheses.add(truth, 0.0);
+  Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
+  seen.heading = Heading{0.1, 0.1};
+  for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  hypotheses.prune();
+  ASSERT_EQ(hypotheses.modes().size(), 1U);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02));
+}
+
+TEST(Hypotheses, ACompassAloneDoesNotRuleOutWhereTheRobotWasKnownToBe) {
+  const Pose2 truth{1.0, 1.0, 0.0};
+  const Pose2 twin{5.0, 2.0, kPi};
+  TrackingOdds earned(true);
+  earned.earn({3.0, 0.0, 0.0});
+  Hypotheses hypotheses(Ground(symmetricWorld()), compass());
+  hypotheses.addKept(truth, earned);
+  hypotheses.add(twin, 0.0);
+  Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
+  seen.heading = Heading{kPi, 0.1};
+  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  hypotheses.prune();
+  EXPECT_GT(massOf(hypotheses, truth), 0.99);
 }
 
 TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {

@@ -32,8 +32,11 @@ class EveryCore : public testing::TestWithParam<std::string> {
   }
 
   std::shared_ptr<const OccupancyGrid> map_ = symmetricWorld();
-  Localizer localizer_{
-      parametersWith({{"filter", GetParam()}, {"recovery", true}, {"refine", true}}), map_};
+  Localizer localizer_{parametersWith({{"filter", GetParam()},
+                                       {"recovery", true},
+                                       {"refine", true},
+                                       {"heading_offset_std", 0.0}}),
+                       map_};
   Pose2 odometry_;
 };
 
@@ -53,9 +56,36 @@ TEST_P(EveryCore, TrustsItsScansMoreThanADisturbedCompass) {
   Pose2 truth{1.7, 0.8, 0.0};
   localizer_.reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
   const Localization before = drive(localizer_, truth, 8, 0.0);
-  const Localization answer = drive(localizer_, truth, 10, 1.5);
+  const Localization doubtful = drive(localizer_, truth, 4, 1.5);
+  EXPECT_THAT(doubtful.T_map_base, PoseNear(truth, 0.1, 0.1));
+  EXPECT_LT(doubtful.confidence, 0.7 * before.confidence);
+  const Localization answer = drive(localizer_, truth, 60, 1.5);
+  EXPECT_TRUE(localizer_.compass().isDisturbed());
   EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
-  EXPECT_LT(answer.confidence, 0.7 * before.confidence);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_GT(answer.confidence, 0.9 * before.confidence);
+}
+
+TEST_P(EveryCore, KeepsItsPlaceWhereACompassPointsToTheTwin) {
+  Pose2 truth{2.0, 0.8, 0.0};
+  localizer_.reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  drive(localizer_, truth, 20, 0.0);
+  const Localization answer = drive(localizer_, truth, 60, kPi);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
+}
+
+TEST_P(EveryCore, LearnsHowACompassPointsAndIsFoundByItAfterAKidnap) {
+  const auto parameters =
+      parametersWith({{"filter", GetParam()}, {"recovery", true}, {"refine", true}});
+  Localizer localizer(parameters, map_);
+  Pose2 truth{2.0, 0.8, 0.0};
+  localizer.reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  drive(localizer, truth, 48, 2.0);
+  EXPECT_NEAR(localizer.compass().offset(), -2.0, 0.1);
+  truth = Pose2{3.4, 0.9, kPi / 2};
+  const Localization answer = drive(localizer, truth, 48, 2.0);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cores, EveryCore, testing::ValuesIn(builtins().filters.names()));

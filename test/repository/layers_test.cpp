@@ -79,7 +79,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>>& rules() {
       {"localizer",
        {"core", "map", "motion", "observation", "particle", "match", "ser", "filters"}},
       {"sim", {"core", "map"}},
-      {"bag", {}},
+      {"bag", {"core"}},
       {"eval",
        {"core", "map", "particle", "match", "ser", "swarm", "filters", "localizer", "sim", "bag"}},
       {"ros", {"core", "map", "match", "ser", "filters", "localizer", "sim", "bag"}},

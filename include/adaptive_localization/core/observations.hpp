@@ -7,10 +7,19 @@
 
 namespace adaptive_localization {
 
-/// Where base points to in the map, as a compass tells.
+/// Which way base points, as a compass tells: counter-clockwise from a direction that is fixed in
+/// the world. The Localizer is told by the compass's own direction, cores by the map's x axis.
 struct Heading {
   double theta{0.0};      // rad
   double deviation{0.0};  // standard deviation, rad
+};
+
+/// How far base has turned, as a gyroscope tells: its rates summed up since it was first heard or
+/// was silent last. Two such sums with the same beginning tell the turn between them.
+struct GyroTurn {
+  double angle{0.0};      // rad, counter-clockwise, not wrapped
+  double deviation{0.0};  // standard deviation of a rate, rad/s
+  double since{0.0};      // stamp at which the sum began, s
 };
 
 /// All that was sensed at one instant. What was not sensed is empty.
@@ -18,6 +27,7 @@ struct Observations {
   double stamp{0.0};  // s
   Scan scan{};
   std::optional<Heading> heading{};
+  std::optional<GyroTurn> gyro{};
 };
 
 }  // namespace adaptive_localization

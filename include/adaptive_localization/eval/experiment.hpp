@@ -31,13 +31,14 @@ struct WrongStart {
 
 /// Something that happens to the robot, again every so many seconds if asked for.
 struct ExperimentEvent {
-  enum class What { kKidnap, kCarry, kBlock };
+  enum class What { kKidnap, kCarry, kBlock, kDisturb };
 
   What what{What::kKidnap};
   double at{0.0};          // s
-  double duration{0.0};    // s, of a carry or a block
+  double duration{0.0};    // s, of a carry, a block or a disturbance
   double every{0.0};       // s; 0: once
   Spot to;                 // of a kidnap or a carry
+  double turned_by{0.0};   // rad, by which a disturbed compass is off
   double share{0.0};       // of the beams, of a block
   bool is_sector{false};   // the blocked beams lie side by side and stay the same
   bool is_garbage{false};  // what a carried laser sees: anything, rather than a hand before it

@@ -27,10 +27,11 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 ///                                   #   off_by: [x, y] is so far along a line, either way
 ///     simulation: {people: 2}       # options of p3dx_simulator; drive is on
 ///     duration: 42                  # s
-///     events:                       # of three kinds; with every: s, again and again
+///     events:                       # of four kinds; with every: s, again and again
 ///       - {what: kidnap, at: 12, every: 15, to: random}
 ///       - {what: carry, at: 12, for: 3, to: random, laser: garbage}       # or blocked
 ///       - {what: block, at: 10, for: 20, share: 0.3, pattern: sector}     # or scattered
+///       - {what: disturb, at: 10, for: 60, turned_by: 1.57}   # rad, the compass; simulation.imu
 ///     success: {position: 0.15, heading: 5, scans: 3, within: 1}   # m, degrees; s, any
 ///     bounds: true                  # with Cramér-Rao bounds of the error, see error_bound.hpp
 ///     probes: [20, 30]              # s

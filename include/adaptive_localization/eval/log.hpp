@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/heading_topics.hpp"
+#include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/eval/trajectory.hpp"
@@ -17,7 +19,9 @@ struct LogScan {
   LaserScan scan;
   LaserMount mount;
   Pose2 T_odom_base;
-  std::optional<Pose2> T_map_base;  // the reference, where the recording has one
+  std::optional<Pose2> T_map_base;   // the reference, where the recording has one
+  std::optional<Heading> heading{};  // of a compass, where the recording has one
+  std::optional<GyroTurn> gyro{};    // and of a gyroscope
 };
 
 /// A recording as plain values, in the order in which it was recorded.
@@ -48,6 +52,7 @@ struct LogRequest {
   std::string odom_topic;   // empty: /tf, else the only one with odometry
   std::string truth_topic;  // empty: no reference from the bag
   FrameOptions frames;
+  HeadingTopics headings;
 };
 
 /// Whether a stamp lies within begin and end, to the microsecond that text gives them with.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
@@ -105,7 +107,8 @@ class Hypotheses {
 
  private:
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
-  static constexpr double kFarBetter = 0.5;  // of the error
+  static constexpr double kFarBetter = 0.5;     // of the error
+  static constexpr double kMostOfSenses = 7.0;  // of log odds, by other senses than the laser
 
   /// An error that tells no more than another one, m.
   static double withTolerance(double error) { return 1.25 * error + 0.015; }
@@ -126,6 +129,13 @@ class Hypotheses {
     double error{0.0};         // of the last scan, m
     bool is_explained{false};  // it speaks against no place less
     bool is_spared{false};     // it would rule the place out, were it not kept and did not most fit
+    double sensed{0.0};        // of the odds, what other senses than the laser say
+
+    /// Takes note of what other senses than the laser say of it, a log likelihood.
+    void hear(double told) {
+      const double before = std::exchange(sensed, std::max(-kMostOfSenses, sensed + told));
+      log_odds += sensed - before;
+    }
   };
 
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
@@ -138,7 +148,7 @@ class Hypotheses {
   void align(const PlaceRefiner& refiner, double usual);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 
-  /// Of each, by the senses other than the laser.
+  /// Log likelihood of each by the senses other than the laser, that of the likeliest being 0.
   Eigen::ArrayXd scores(const Observations& observations) const;
 
   Ground ground_;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "adaptive_localization/filters/filter.hpp"
+#include "adaptive_localization/localizer/compass.hpp"
+#include "adaptive_localization/localizer/gyroscope.hpp"
 #include "adaptive_localization/localizer/recovery.hpp"
 #include "adaptive_localization/localizer/setup.hpp"
 #include "adaptive_localization/match/match.hpp"
@@ -75,6 +77,10 @@ class Localizer {
   /// where nobody does.
   const Match* match() const { return match_ ? &*match_ : nullptr; }
 
+  /// What is known of the compass and of the gyroscope.
+  const Compass& compass() const { return compass_; }
+  const Gyroscope& gyroscope() const { return gyroscope_; }
+
   const ScanOptions& scanOptions() const { return setup_.scan; }
   const LocalizerOptions& options() const { return setup_.options; }
 
@@ -94,6 +100,7 @@ class Localizer {
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
+  Observations withHeadingInMap(Observations observations) const;
   void updateBelief(const Pose2& motion, const Observations& observations);
   Estimate askCore(const Pose2& motion, const Observations& observations);
   void moveBelief();
@@ -105,6 +112,8 @@ class Localizer {
   std::unique_ptr<Filter> filter_;
   std::unique_ptr<EstimateRefiner> refiner_;  // if estimates are to be refined
   std::optional<Recovery> recovery_;
+  Compass compass_;
+  Gyroscope gyroscope_;
 
   bool is_anywhere_{false};  // was reset so, and not tracked since
   bool update_requested_{false};

@@ -70,6 +70,10 @@ class Recovery {
   const std::vector<Mode>& modes() const { return modes_; }
 
   Status status() const { return status_; }
+
+  /// The last scan, whatever other senses say, fits where the robot is tracked.
+  bool knowsByScans() const { return scan_fits_ && status_ == Status::kTracking; }
+
   const Confidence& fit() const { return confidence_; }
   const Senses& senses() const { return senses_; }
 
@@ -90,6 +94,7 @@ class Recovery {
   void settle();
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
+  bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);
   void conclude();
@@ -110,6 +115,7 @@ class Recovery {
   std::vector<Mode> modes_;
   Status status_{Status::kUninitialised};
 
+  bool scan_fits_{false};  // the core's place, as well as is usual
   bool is_settled_{true};  // there is one place, the core's
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset

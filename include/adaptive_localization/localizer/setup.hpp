@@ -8,6 +8,7 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
+#include "adaptive_localization/localizer/compass.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 
 namespace adaptive_localization {
@@ -51,6 +52,7 @@ struct Setup {
   LocalizerOptions options;
   ScanOptions scan;
   ConfidenceOptions confidence;
+  CompassOptions compass;
   Parameters parameters;
 };
 

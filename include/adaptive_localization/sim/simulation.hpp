@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/sim/imu.hpp"
 #include "adaptive_localization/sim/laser.hpp"
 #include "adaptive_localization/sim/people.hpp"
 #include "adaptive_localization/sim/route_follower.hpp"
@@ -30,6 +31,7 @@ struct SimulationOptions {
   DriveBaseOptions base;
   OdometryOptions odometry;
   LaserOptions laser;
+  ImuOptions imu;
   RouteOptions route;
 
   template <class Visitor>
@@ -51,6 +53,7 @@ struct SimulationOptions {
     base.visit(option);
     odometry.visit(option);
     laser.visit(option);
+    imu.visit(option);
     route.visit(option);
   }
 
@@ -69,6 +72,7 @@ struct Sensed {
   std::optional<LaserScan> scan;         // of the first laser
   std::optional<LaserScan> second_scan;  // of the second one, with the same stamp
   std::optional<OdometryReading> odometry;
+  std::optional<ImuReading> imu;
 };
 
 /// When something that comes at a rate is due: k / rate, k = 1, 2 and so on, s.
@@ -114,6 +118,11 @@ class Simulation {
   const std::vector<Pose2>& laserMounts() const { return laser_mounts_; }  // T_base_laser of each
   const RouteFollower& driver() const { return driver_; }
 
+  bool hasImu() const { return options_.imu.imu; }
+
+  /// Turns what the compass tells by an angle in rad, from now on.
+  void disturbCompass(double angle) { imu_.disturb(angle); }
+
   /// The robot is lifted and put down: its wheels do not turn. Where it cannot stand, it is put
   /// at the nearest place where it can and that it can leave.
   void kidnap(const Pose2& T_map_base);
@@ -139,6 +148,7 @@ class Simulation {
   WheelOdometry odometry_;
   std::vector<Pose2> laser_mounts_;
   std::vector<Laser> lasers_;
+  Imu imu_;
   People people_;
   RouteFollower driver_;
   Pose2 start_;
