@@ -129,6 +129,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
     simulation_.disturbCompass(compassError());
     Sensed sensed = simulation_.step();
     if (sensed.imu) hear(*sensed.imu);
+    if (sensed.picture) picture_ = std::move(sensed.picture->sightings);
     if (has_mission_) mission_.observe(simulation_, sensed.scan.has_value());
     if (!sensed.scan) continue;
     last_scan_ = *sensed.scan;
@@ -138,6 +139,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
       second_->laser = 1;
     }
     T_odom_last_scan_ = scan.T_odom_base;
+    scan.landmarks = std::exchange(picture_, std::nullopt);
     scan.put_down = put_down_;
     put_down_.reset();
     return scan;

@@ -14,12 +14,13 @@ struct DriveScan {
   LaserScan scan;
   std::size_t laser{0};  // which one took it
   Pose2 T_odom_base;
-  BaseVelocity velocity;            // by odometry, since the scan before
-  std::optional<Heading> heading;   // of the simulated compass, if there is one
-  std::optional<GyroTurn> gyro;     // and gyroscope
-  std::optional<Pose2> T_map_base;  // none while the robot is off the floor
-  bool is_lifted{false};            // it was, since the scan before
-  std::optional<double> put_down;   // s, when it was put down, since the scan before
+  BaseVelocity velocity;                           // by odometry, since the scan before
+  std::optional<Heading> heading;                  // of the simulated compass, if there is one
+  std::optional<GyroTurn> gyro;                    // and gyroscope
+  std::optional<std::vector<Sighting>> landmarks;  // of the camera, if it took a picture just now
+  std::optional<Pose2> T_map_base;                 // none while the robot is off the floor
+  bool is_lifted{false};                           // it was, since the scan before
+  std::optional<double> put_down;                  // s, when it was put down, since the scan before
 };
 
 /// A simulated drive to which things happen. While the robot is carried its wheels stand still,
@@ -79,6 +80,7 @@ class ExperimentDrive {
   std::optional<Carry> carry_;
   double carried_{0.0};  // s in all
   HeadingHistory headings_;
+  std::optional<std::vector<Sighting>> picture_;  // since the last scan
   Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
   std::optional<double> put_down_;
   LaserScan last_scan_;

@@ -60,7 +60,19 @@ void ExperimentJudge::endTrial() {
   right_ = told_ = silent_ = {};
 }
 
-void ExperimentJudge::observe(const JudgedScan& scan) {
+/// The one that the estimate is nearer to, where the twin of the true place counts as well.
+std::optional<Pose2> ExperimentJudge::truthFor(const JudgedScan& scan) const {
+  if (!scan.T_map_base || !rule_.is_modulo || !half_turn_) return scan.T_map_base;
+  const Pose2 twin = turnedHalf(*half_turn_, *scan.T_map_base);
+  const auto off = [&](const Pose2& pose) {
+    return distance(pose, scan.answer.T_map_base) + headingError(pose, scan.answer.T_map_base);
+  };
+  return off(twin) < off(*scan.T_map_base) ? twin : scan.T_map_base;
+}
+
+void ExperimentJudge::observe(const JudgedScan& all) {
+  JudgedScan scan = all;
+  scan.T_map_base = truthFor(all);
   const bool is_tracking = scan.answer.status == Status::kTracking;
   ++result_.scans;
   ++result_.status[toText(scan.answer.status)];

@@ -51,6 +51,7 @@ class ExperimentJudge {
   };
 
   void endTrial();
+  std::optional<Pose2> truthFor(const JudgedScan& scan) const;
   void noteTrial(const JudgedScan& scan, bool is_right);
   void noteValid(const JudgedScan& scan);
   void noteAlarms(const JudgedScan& scan);

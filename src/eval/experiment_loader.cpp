@@ -81,11 +81,13 @@ void checkLabels(const std::vector<Labelled>& all, const YamlValue& where) {
   }
 }
 
-/// A map of lines can be the world itself.
+/// A map of lines, or of landmarks, can be the world itself.
 void replaceWorld(const std::string& world, Parameters& parameters) {
-  const auto option = parameters.values().find("line_map");
-  if (option != parameters.values().end() && toText(option->second) == "world") {
-    parameters.set("line_map", OptionValue(world));
+  for (const char* key : {"line_map", "landmark_map"}) {
+    const auto option = parameters.values().find(key);
+    if (option != parameters.values().end() && toText(option->second) == "world") {
+      parameters.set(key, OptionValue(world));
+    }
   }
 }
 

@@ -42,9 +42,12 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   const Stopwatch watch(CLOCK_THREAD_CPUTIME_ID);  // which other runs beside it do not lengthen
   Observations observations;
   observations.stamp = seen.scan.stamp;
-  observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
+  if (!seen.scan.ranges.empty()) {
+    observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
+  }
   observations.heading = seen.heading;
   observations.gyro = seen.gyro;
+  observations.landmarks = seen.landmarks;
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
   judged.update_ms = watch.milliseconds();
@@ -101,7 +104,8 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
   while (const auto seen = drive.next()) {
     if (seen->is_lifted) judge.lift();
     if (seen->put_down) judge.begin(Trial::Kind::kKidnap, *seen->put_down, drive.truth());
-    JudgedScan judged = update(*localizer, *seen, mounts[seen->laser]);
+    const LaserMount mount = mounts.empty() ? LaserMount{} : mounts[seen->laser];
+    JudgedScan judged = update(*localizer, *seen, mount);
     if (bound && seen->put_down) bound->restart();
     if (bound && seen->T_map_base) judged.bounds = bound->scan(*seen->T_map_base);
     judge.observe(judged);

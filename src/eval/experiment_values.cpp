@@ -170,18 +170,19 @@ ExperimentEvent readEvent(const YamlValue& value) {
 }
 
 SuccessRule readSuccess(const YamlValue& value) {
-  value.allowOnly({"position", "heading", "scans", "within"});
+  value.allowOnly({"position", "heading", "scans", "within", "modulo_half_turn"});
   SuccessRule rule;
   if (value.has("position")) rule.position = value.at("position").number({1e-3, 100.0});
   if (value.has("heading")) rule.heading = value.at("heading").number({1e-3, 180.0}) * kDegree;
   if (value.has("scans")) rule.scans = value.at("scans").whole({1, 1000});
+  if (value.has("modulo_half_turn")) rule.is_modulo = value.at("modulo_half_turn").truth();
   if (value.has("within")) rule.within = value.at("within").number({0.0, 1e6});
   return rule;
 }
 
 Parameters readOptions(const YamlValue& value) {
   Parameters parameters = value.parameters();
-  for (const char* key : {"line_map"}) {
+  for (const char* key : {"line_map", "landmark_map"}) {
     if (!parameters.has(key)) continue;
     const YamlValue file = value.at(key);
     if (file.text() != "world") parameters.set(key, OptionValue(resolve(file)));

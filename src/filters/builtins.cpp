@@ -4,6 +4,7 @@
 #include "adaptive_localization/motion/differential_drive.hpp"
 #include "adaptive_localization/motion/omni_drive.hpp"
 #include "adaptive_localization/observation/heading_prior.hpp"
+#include "adaptive_localization/observation/landmark_model.hpp"
 #include "adaptive_localization/observation/likelihood_field.hpp"
 #include "adaptive_localization/observation/range_models.hpp"
 #include "builtin_filters.hpp"
@@ -88,6 +89,11 @@ void addSenses(Registry<ObservationDescription>& senses) {
     return std::make_unique<HeadingPrior>();
   };
   senses.add({"heading", "What a compass says.", make, {}});
+  senses.add({"landmarks", "What sightings of known landmarks say.",
+              [](const Parameters& given, const MapPtr& map, const FieldPtr& field) {
+                return std::make_unique<LandmarkModel>(given.read<LandmarkOptions>(), map, field);
+              },
+              describe(LandmarkOptions{})});
 }
 
 void addResamplings(Registry<ResamplingDescription>& resamplings) {

@@ -8,6 +8,12 @@
 #include "match/pose_kalman.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+constexpr double kFit = 0.1, kMisfit = 0.3;  // m, of other senses: fits fully, not at all
+
+}  // namespace
+
 Confidence::Confidence(const ConfidenceOptions& options, std::shared_ptr<const DistanceField> field,
                        Senses senses)
     : options_(options), field_(std::move(field)), senses_(std::move(senses)) {
@@ -49,9 +55,17 @@ double Confidence::fitOf(const Pose2& T_map_base, const Scan& scan) const {
                     0.0, 1.0);
 }
 
+std::optional<double> Confidence::fitOf(const Pose2& T_map_base,
+                                        const Observations& observations) const {
+  if (observations.scan.hits() > 0) return fitOf(T_map_base, observations.scan);
+  const auto misfit = senses_->misfit(observations, T_map_base);
+  if (!misfit) return std::nullopt;
+  return std::clamp((kMisfit - *misfit) / (kMisfit - kFit), 0.0, 1.0);
+}
+
 void Confidence::observe(const Estimate& estimate, const Observations& observations) {
-  if (observations.scan.hits() > 0) {
-    latest_fit_ = fitOf(estimate.T_map_base, observations.scan);
+  if (const auto fit = fitOf(estimate.T_map_base, observations)) {
+    latest_fit_ = *fit;
     fit_ = fit_ < 0.0 ? latest_fit_ : fit_ + options_.confidence_rate * (latest_fit_ - fit_);
     contradictions_ = latest_fit_ < kContradiction ? contradictions_ + 1 : 0;
   }
@@ -60,8 +74,10 @@ void Confidence::observe(const Estimate& estimate, const Observations& observati
   compact_ = relative < 1.0;
   ambiguous_ = estimate.modes.size() > 1 && estimate.modes[1].mass >= options_.ambiguous_mass;
   const double mass = estimate.modes.empty() ? 0.0 : estimate.modes.front().mass;
-  is_gainsaid_ =
-      areContradicting(*senses_, observations, {estimate.T_map_base, estimate.covariance});
+  const Gaussian2 belief{estimate.T_map_base, estimate.covariance};
+  is_gainsaid_ = std::any_of(
+      senses_->parts().begin(), senses_->parts().end(),
+      [&](const auto& sense) { return areContradicting(*sense, observations, belief); });
   const double agreement = is_gainsaid_ ? 0.5 : 1.0;
   value_ = std::clamp(fit() * agreement * mass / (1.0 + relative), 0.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "adaptive_localization/localizer/search_pace.hpp"
 #include "adaptive_localization/ser/place.hpp"
 #include "kept_place.hpp"
 #include "ser/place_refiner.hpp"
@@ -21,10 +22,6 @@ constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which 
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
-
-Eigen::Matrix3d placeCovariance() {
-  return Eigen::Vector3d(kPlaceVariance, kPlaceVariance, kPlaceTurnVariance).asDiagonal();
-}
 
 /// The likeliest of some hypotheses that is the same place as a pose, or the end.
 template <class All>
@@ -49,10 +46,15 @@ auto about(All& all, const Pose2& T_map_core) {
 
 }  // namespace
 
-void Hypotheses::add(const Pose2& T_map_base, double log_odds) {
+Eigen::Matrix3d Hypotheses::placeCovariance() {
+  return Eigen::Vector3d(kPlaceVariance, kPlaceVariance, kPlaceTurnVariance).asDiagonal();
+}
+
+void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matrix3d& covariance) {
   const bool is_room = all_.size() < kMostPlaces;
   if (is_room && isFinite(T_map_base) && !knows(T_map_base)) {
     all_.push_back({T_map_base, log_odds});
+    all_.back().covariance = covariance;
   }
 }
 
@@ -91,7 +93,10 @@ bool Hypotheses::isByWord() const {
 }
 
 void Hypotheses::ride(const Pose2& motion) {
-  for (Hypothesis& hypothesis : all_) hypothesis.T_map_base = hypothesis.T_map_base * motion;
+  for (Hypothesis& hypothesis : all_) {
+    hypothesis.T_map_base = hypothesis.T_map_base * motion;
+    hypothesis.way += wayOf(motion);
+  }
   T_map_kept_ = T_map_kept_ * motion;
 }
 
@@ -100,15 +105,20 @@ void Hypotheses::note(const Pose2& T_map_core) {
   if (place != all_.end()) place->T_map_core = T_map_core;
 }
 
-Eigen::ArrayXd Hypotheses::scores(const Observations& observations) const {
+Eigen::ArrayXXd Hypotheses::scores(const Observations& observations) const {
   Particles places(static_cast<Eigen::Index>(all_.size()));
   for (std::size_t i = 0; i < all_.size(); ++i) {
     places.setPose(static_cast<Eigen::Index>(i), all_[i].T_map_base);
   }
-  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(places.size());
-  senses_->score(observations, places, log_likelihood);
-  if (log_likelihood.size() > 0) log_likelihood -= log_likelihood.maxCoeff();
-  return log_likelihood;
+  const auto& senses = senses_->parts();
+  Eigen::ArrayXXd all =
+      Eigen::ArrayXXd::Zero(places.size(), static_cast<Eigen::Index>(senses.size()));
+  for (std::size_t k = 0; k < senses.size() && places.size() > 0; ++k) {
+    auto column = all.col(static_cast<Eigen::Index>(k));
+    senses[k]->score(observations, places, column);
+    column -= column.maxCoeff();
+  }
+  return all;
 }
 
 /// Of log odds. Where walls are rough, the true place may fit worse than another.
@@ -151,28 +161,35 @@ void Hypotheses::choose(double share) {
   for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
 }
 
+double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
+                          double usual) const {
+  double lost = loss(hypothesis.error, usual);
+  if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
+  hypothesis.is_explained = lost == 0.0;
+  if (!hypothesis.is_kept) return lost;
+  const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+  hypothesis.is_spared = lost > most;
+  return std::min(lost, most);
+}
+
 void Hypotheses::weigh(const Observations& observations, double share, double usual) {
   const Scan& scan = observations.scan;
+  const bool is_seen = scan.hits() > 0;
   const PlaceRefiner refiner(ground_.map, ground_.field, scan, scan.max_range,
                              RangeError::kTruncation);
   choose(share);
-  align(refiner, usual);
+  is_seen ? align(refiner, usual) : correctBySenses(observations);
   const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
-  const Eigen::ArrayXd senses = scores(observations);
+  const Eigen::ArrayXXd told = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
     if (!hypothesis.is_due) continue;
-    double lost = loss(hypothesis.error, usual);
-    if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
-    hypothesis.is_explained = lost == 0.0;
-    if (hypothesis.is_kept) {
-      const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
-      hypothesis.is_spared = lost > most;
-      lost = std::min(lost, most);
-    }
     const double worth = hypothesis.is_new ? 1.0 : hypothesis.share;
-    hypothesis.log_odds -= worth * lost;
-    hypothesis.hear(worth * senses[static_cast<Eigen::Index>(i)]);
+    if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
+    for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
+      const double by_sense = told(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      hypothesis.hear(k, worth * by_sense, senses_->parts()[k]->mostInAll());
+    }
     hypothesis.is_new = false;
     hypothesis.waited = 0;
     hypothesis.share = 0.0;
@@ -218,7 +235,7 @@ std::vector<Mode> Hypotheses::modes() const {
   std::vector<Mode> modes;
   double sum = 0.0;
   for (const Hypothesis& hypothesis : all_) {
-    modes.push_back({hypothesis.T_map_base, placeCovariance(),
+    modes.push_back({hypothesis.T_map_base, hypothesis.covariance,
                      std::exp(hypothesis.log_odds - all_.front().log_odds)});
     sum += modes.back().mass;
   }

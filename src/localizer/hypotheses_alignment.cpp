@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <utility>
 
 #include "adaptive_localization/localizer/hypotheses.hpp"
 #include "adaptive_localization/localizer/usual_error.hpp"
+#include "match/pose_kalman.hpp"
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
@@ -51,6 +53,27 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   const bool is_right = core && loss(core->error, usual) == 0.0;
   if (!is_right || least_error_ > kGoodFit) return;
   alignTwins(refiner, between(core->T_map_ridden, core->T_map_base), usual);
+}
+
+/// Each is a Kalman filter of its own (after Kargas, whom Fidelis and Colombini cite).
+void Hypotheses::correctBySenses(const Observations& observations) {
+  constexpr double kOdometry = 0.1;  // standard deviation per way, m/m and rad/rad
+  least_error_ = RangeError::kTruncation;
+  is_core_beside_ = false;
+  for (Hypothesis& hypothesis : all_) {
+    if (!hypothesis.is_due) continue;
+    hypothesis.T_map_core.reset();
+    const double drift = kOdometry * std::exchange(hypothesis.way, 0.0);
+    PoseKalman kalman;
+    kalman.reset({hypothesis.T_map_base,
+                  hypothesis.covariance + drift * drift * Eigen::Matrix3d::Identity()});
+    correctBy(*senses_, observations, kalman);
+    hypothesis.T_map_base = kalman.mean();
+    hypothesis.covariance = kalman.covariance();
+    hypothesis.error =
+        senses_->misfit(observations, kalman.mean()).value_or(RangeError::kTruncation);
+    least_error_ = std::min(least_error_, hypothesis.error);
+  }
 }
 
 /// What odometry got wrong is the same for all: a place that fits as well as the best does, once it

@@ -179,7 +179,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
     conclude(T_map_base);
     update_requested_ = false;
-  } else if (recovery_->isUnverified(observations.scan)) {  // even where the robot stands still
+  } else if (recovery_->isUnverified(observations)) {  // even where the robot stands still
     recovery_->verify(last_.estimate, withHeadingInMap(observations));
     conclude(last_.T_map_odom * *T_odom_base_at_update_);
   }

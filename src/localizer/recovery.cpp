@@ -16,6 +16,13 @@ constexpr double kExplained = 0.2;    // m, mean range error of a scan that a pl
 constexpr double kUnfit = 0.3;        // m, of a scan that tells of no place
 constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
 constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
+constexpr int kSpurious = 2;          // updates in a row that sightings of no landmark can explain
+
+/// How far off is what sightings of landmarks explain.
+Eigen::Matrix3d roughly() {
+  constexpr double kVariance = 0.5 * 0.5, kTurnVariance = 0.2 * 0.2;  // m^2, rad^2
+  return Eigen::Vector3d(kVariance, kVariance, kTurnVariance).asDiagonal();
+}
 
 }  // namespace
 
@@ -67,9 +74,10 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
 }
 
 void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
-                       const Estimate& estimate, const Observations& observations) {
+                       const Estimate& estimate, const Observations& all) {
+  const Observations observations = withoutCover(all);
   const Pose2& T_map_base = estimate.T_map_base;
-  confidence_.observe(estimate, observations);
+  confidence_.observe(estimate, all);
   hypotheses_.ride(motion);
   way_ += wayOf(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
@@ -79,12 +87,12 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   told_.travel(wayOf(motion));
   odds_.checkJump(motion);
   scan_fits_ = false;
-  if (isCovered(observations.scan)) {
+  if (!tells(observations)) {
     odds_.seeNothing();
     return conclude();
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
-  const double error = range_error_.at(T_map_base, observations.scan).error;
+  const double error = errorAt(T_map_base, observations);
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
@@ -99,8 +107,9 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (status_ == Status::kTracking) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
   }
-  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error) || told_.isCheckDue() ||
-                      isOutvoted(T_map_base, error, observations))) {
+  const bool is_seen = observations.scan.hits() > 0;
+  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error, is_seen) ||
+                      told_.isCheckDue() || isOutvoted(T_map_base, error, observations))) {
     open(T_map_base_expected);
   } else if (is_settled_) {
     pace_.skipScan();
@@ -115,42 +124,26 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   conclude();
 }
 
-bool Recovery::isUnverified(const Scan& scan) const {
-  return told_.isUnverified() && ground_.places->isReadyFor(scan);
+bool Recovery::isUnverified(const Observations& observations) const {
+  return told_.isUnverified() && canSearch(observations);
 }
 
-void Recovery::verify(const Estimate& estimate, const Observations& observations) {
-  if (isCovered(observations.scan)) return;
+void Recovery::verify(const Estimate& estimate, const Observations& all) {
+  const Observations observations = withoutCover(all);
+  if (!tells(observations)) return;
   open(estimate.T_map_base);
-  const double error = range_error_.at(estimate.T_map_base, observations.scan).error;
+  const double error = errorAt(estimate.T_map_base, observations);
   race(estimate.T_map_base, error, observations);
   conclude();
 }
 
 /// Where a scan does not fit, or the core jumps, other places are worth a thought: not at each scan
 /// as long as no other place is better.
-bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const {
+bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error,
+                          bool is_seen) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
   if (had_place && !areSamePlace(expected, T_map_base)) return true;
-  return (unexplained_ > 0 || isAtALoss()) && pace_.isOver(error);
-}
-
-/// Another sense gainsays the core's place, and there is one that both scan and sense agree on. If
-/// there is none, it is the sense that is wrong.
-bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observations& observations) {
-  constexpr double kBetter = 1.0;  // of a log likelihood
-  if (!confidence_.isGainsaid() || !pace_.isOver(error)) return false;
-  const std::vector<Place>& places = ground_.places->search(observations);
-  if (!ground_.places->isReadyFor(observations.scan)) return false;
-  pace_.searched(false, error);
-  Particles poses(static_cast<Eigen::Index>(places.size()) + 1);
-  poses.setPose(0, T_map_base);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    poses.setPose(static_cast<Eigen::Index>(i) + 1, places[i].T_map_base);
-  }
-  Eigen::ArrayXd told = Eigen::ArrayXd::Zero(poses.size());
-  senses_->score(observations, poses, told);
-  return told.maxCoeff() > told[0] + kBetter;
+  return (unexplained_ > (is_seen ? 0 : kSpurious) || isAtALoss()) && pace_.isOver(error);
 }
 
 void Recovery::open(const Pose2& T_map_base) {
@@ -206,11 +199,15 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
 }
 
 void Recovery::search(const Observations& observations) {
-  const std::vector<Place>& places = ground_.places->search(observations);
-  if (!ground_.places->isReadyFor(observations.scan)) return;  // that was no answer
+  const std::vector<Place> places = placesFor(observations);
+  if (!canSearch(observations)) return;  // that was no answer
   told_.checked();
   const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
-  for (const Place& place : places) hypotheses_.add(place.T_map_base, odds);
+  const bool is_seen = observations.scan.hits() > 0;
+  for (const Place& place : places) {
+    is_seen ? hypotheses_.add(place.T_map_base, odds)
+            : hypotheses_.add(place.T_map_base, odds, roughly());
+  }
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
   searched_ = searched_ || !hypotheses_.isEmpty();

@@ -8,13 +8,15 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "landmark_list.hpp"
+
 namespace adaptive_localization {
 namespace {
 
 using Numbers = std::vector<double>;
 
 const char* const kKeys[] = {"outline",   "wall_thickness", "walls", "solids",
-                             "furniture", "route",          "start"};
+                             "furniture", "route",          "start", "landmarks"};
 
 [[noreturn]] void reject(const std::string& key, const std::string& expected) {
   throw std::invalid_argument("'" + key + "': expected " + expected);
@@ -101,6 +103,7 @@ FloorPlan parse(const YAML::Node& root) {
   }
   plan.solids = lists(root, "solids", 3);
   plan.furniture = lists(root, "furniture", 3);
+  if (root["landmarks"]) plan.landmarks = readLandmarks(root["landmarks"]);
   if (root["route"]) plan.route = points(root["route"], "route", 1);
   if (root["start"]) {
     const Numbers start = numbers(root["start"], "start", 3, "[x, y, yaw] in metres and radians");

@@ -97,9 +97,10 @@ bool areContradicting(const ObservationModel& senses, const Observations& observ
   PoseKalman kalman;
   kalman.reset(belief);
   const auto seen = senses.linearized(observations, kalman.mean());
-  return std::any_of(seen.begin(), seen.end(), [&](const PoseObservation& observation) {
-    return isOutlier(observation, kalman);
-  });
+  const auto outliers = std::count_if(
+      seen.begin(), seen.end(),
+      [&](const PoseObservation& observation) { return isOutlier(observation, kalman); });
+  return 2 * outliers > static_cast<std::ptrdiff_t>(seen.size());
 }
 
 }  // namespace adaptive_localization

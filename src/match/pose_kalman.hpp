@@ -56,7 +56,7 @@ bool isOutlier(const PoseObservation& observation, const PoseKalman& belief);
 void correctBy(const ObservationModel& senses, const Observations& observations,
                PoseKalman& belief);
 
-/// Whether the senses observed what cannot be where the robot is believed to be.
+/// Whether most of what a sense observed cannot be where the robot is believed to be.
 bool areContradicting(const ObservationModel& senses, const Observations& observations,
                       const Gaussian2& belief);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/observation/composed_model.hpp"
 
+#include <algorithm>
+
 namespace adaptive_localization {
 
 double ComposedModel::score(const Observations& observations, const Particles& particles,
@@ -19,6 +21,32 @@ std::vector<PoseObservation> ComposedModel::linearized(const Observations& obser
     for (PoseObservation& seen : part->linearized(observations, T_map_base)) {
       all.push_back(std::move(seen));
     }
+  }
+  return all;
+}
+
+bool ComposedModel::canLocalize(const Observations& observations) const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const auto& part) { return part->canLocalize(observations); });
+}
+
+std::optional<double> ComposedModel::misfit(const Observations& observations,
+                                            const Pose2& T_map_base) const {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& part : parts_) {
+    const auto misfit = part->misfit(observations, T_map_base);
+    sum += misfit.value_or(0.0);
+    count += misfit.has_value();
+  }
+  return count > 0 ? std::make_optional(sum / count) : std::nullopt;
+}
+
+std::vector<Pose2> ComposedModel::explanations(const Observations& observations) const {
+  std::vector<Pose2> all;
+  for (const auto& part : parts_) {
+    const auto some = part->explanations(observations);
+    all.insert(all.end(), some.begin(), some.end());
   }
   return all;
 }

@@ -36,7 +36,8 @@ inline bool isReadAtStart(const std::string& key) {
 /// Whether an option names code or a file. Who may send messages may not choose what the node loads
 /// and where it writes: these belong to the start alone and are no fields of dynamic_reconfigure.
 inline bool namesCodeOrFile(const std::string& key) {
-  return key == "plugins" || key == "cache_dir" || key == "line_map" || key == "pose_file";
+  return key == "plugins" || key == "cache_dir" || key == "line_map" || key == "pose_file" ||
+         key == "landmark_map";
 }
 
 /// What dynamic_reconfigure's clients see of all options: not where the robot starts, and nothing

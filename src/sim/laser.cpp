@@ -25,6 +25,7 @@ bool isGrazing(double left, double middle, double right) {
 
 std::vector<Pose2> laserMounts(const LaserOptions& options) {
   const Pose2 first{options.laser_x, options.laser_y, options.laser_yaw};
+  if (options.lasers == 0) return {};
   if (options.lasers == 1) return {first};
   return {first, Pose2{0.0, 0.0, kPi} * first};
 }

@@ -10,7 +10,7 @@ namespace adaptive_localization {
 namespace {
 
 /// Streams of randomness, one per part, so that more people do not change the laser's noise.
-enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams, kImu };
+enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams, kImu, kCamera };
 
 Pose2 parsePose(const std::string& text) {
   std::istringstream in(text);
@@ -66,13 +66,19 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       odometry_(options.odometry, options.base.base == "omni", rng_.split(kWheels)),
       laser_mounts_(adaptive_localization::laserMounts(options.laser)),
       imu_(options.imu, rng_.split(kImu)),
+      camera_(options.camera, site.landmarks, rng_.split(kCamera)),
       people_(free_space_, options.people, rng_.split(kWalks)),
       driver_(free_space_, site.route, options.route, options.base.base == "omni",
               rng_.split(kRoute)),
       start_(chooseStart(site, options.start)),
       T_map_base_(start_),
       scans_(options.scan_rate),
-      readings_(options.odom_rate) {
+      readings_(options.odom_rate),
+      pictures_(options.camera.camera_rate) {
+  if (options.camera.camera && site.landmarks.empty()) {
+    throw std::invalid_argument(
+        "option 'camera': got true, expected false in a world without landmarks");
+  }
   for (const Pose2& mount : laser_mounts_) {
     lasers_.emplace_back(options.laser, mount, rng_.split(lasers_.empty() ? kBeams : kMoreBeams));
   }
@@ -111,6 +117,8 @@ Sensed Simulation::step() {
     sensed.odometry = {*due, odometry_.pose(*due - time()), odometry_.velocity()};
   }
   if (options_.imu.imu) sensed.imu = imu_.read(time(), T_map_base_.theta, base_.velocity().turn);
+  if (const auto due = pictures_.beat(time()); due && hasCamera())
+    sensed.picture = takePicture(*due);
   if (const auto due = scans_.beat(time())) scan(*due);
   if (!on_the_wire_.empty() && on_the_wire_.front().scan->stamp <= time() + kStep / 2.0) {
     sensed.scan = std::move(on_the_wire_.front().scan);
@@ -158,15 +166,30 @@ void Simulation::move() {
   odometry_.step(velocity, kStep);
 }
 
+double Simulation::rangeTo(const Pose2& T_map_ray, double max_range) const {
+  return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
+}
+
+Picture Simulation::takePicture(double time) {
+  const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
+  return {time, camera_.sight(T_map_base, [this](const Pose2& T_map_ray, double max_range) {
+            return rangeTo(T_map_ray, max_range);
+          })};
+}
+
 void Simulation::scan(double time) {
   const auto cast = [this](const Pose2& T_map_ray, double max_range) {
-    return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
+    return rangeTo(T_map_ray, max_range);
   };
   const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
   std::vector<LaserScan> scans;
   for (Laser& laser : lasers_) {
     scans.push_back(laser.scan(T_map_base, cast, base_.velocity()));
     scans.back().stamp = time + options_.laser.laser_latency;
+  }
+  if (scans.empty()) {  // the beat goes on
+    scans.emplace_back();
+    scans.back().stamp = time;
   }
   Sensed taken;
   taken.scan = std::move(scans.front());

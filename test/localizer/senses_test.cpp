@@ -2,8 +2,15 @@
 // What another sense than the laser tells reaches every core, Recovery and confidence.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/temp_folder.hpp"
 #include "support/toy_parameters.hpp"
 #include "support/toy_world.hpp"
 
@@ -88,6 +95,68 @@ TEST_P(EveryCore, LearnsHowACompassPointsAndIsFoundByItAfterAKidnap) {
   EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.1, 0.1));
 }
 
+/// Three posts, of which two look the same, and a robot that sights them and has no laser.
+class EveryCoreWithoutALaser : public EveryCore {
+ protected:
+  EveryCoreWithoutALaser() {
+    std::ofstream(file_) << "landmarks:\n  - {id: 0, at: [5.4, 0.6]}\n  - {id: 0, at: [0.6, 2.4]}\n"
+                            "  - {id: 1, at: [5.4, 2.4]}\n";
+    localizer_ = std::make_unique<Localizer>(parametersWith({{"filter", GetParam()},
+                                                             {"recovery", true},
+                                                             {"refine", true},
+                                                             {"landmark_map", file_}}),
+                                             map_);
+  }
+
+  Localization sight(Pose2& truth, int steps) {
+    Localization answer;
+    for (int i = 0; i < steps; ++i) {
+      const Pose2 motion{0.05, 0.0, 0.1};
+      truth = truth * motion;
+      odometry_ = odometry_ * motion;
+      Observations seen;
+      seen.stamp = 0.1 * ++scans_;
+      seen.landmarks.emplace();
+      for (const auto& [id, place] : posts_) {
+        const Eigen::Vector2d point = inverse(truth) * place;
+        seen.landmarks->push_back({id, point.norm(), std::atan2(point.y(), point.x()), 0.1, 0.05});
+      }
+      answer = localizer_->update(odometry_, seen);
+    }
+    return answer;
+  }
+
+  const std::vector<std::pair<int, Eigen::Vector2d>> posts_{
+      {0, {5.4, 0.6}}, {0, {0.6, 2.4}}, {1, {5.4, 2.4}}};
+  TempFolder folder_;
+  std::string file_ = folder_.file("posts.yaml");
+  std::unique_ptr<Localizer> localizer_;
+  int scans_{0};
+};
+
+TEST_P(EveryCoreWithoutALaser, IsFoundByLandmarks) {
+  Pose2 truth{3.0, 1.2, 0.5};
+  localizer_->reset(Anywhere{});
+  const Localization answer = sight(truth, 40);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.15, 0.1));
+  EXPECT_GT(answer.confidence, 0.5);
+}
+
+TEST_P(EveryCoreWithoutALaser, IsFoundAgainAfterAKidnap) {
+  Pose2 truth{3.0, 1.2, 0.5};
+  localizer_->reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  Localization answer = sight(truth, 20);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.15, 0.1));
+  truth = {3.4, 1.8, -2.0};
+  answer = sight(truth, 60);
+  EXPECT_EQ(answer.status, Status::kTracking);
+  EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.15, 0.1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cores, EveryCoreWithoutALaser,
+                         testing::ValuesIn(builtins().filters.names()));
 INSTANTIATE_TEST_SUITE_P(Cores, EveryCore, testing::ValuesIn(builtins().filters.names()));
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "adaptive_localization/core/scan.hpp"
 
@@ -22,12 +23,22 @@ struct GyroTurn {
   double since{0.0};      // stamp at which the sum began, s
 };
 
+/// A landmark as it is seen from base.
+struct Sighting {
+  int id{-1};           // as in the map of landmarks, where several may share one; -1: unknown
+  double range{0.0};    // m
+  double bearing{0.0};  // rad, counter-clockwise from straight ahead
+  double range_deviation{0.0};    // standard deviations, m
+  double bearing_deviation{0.0};  // and rad
+};
+
 /// All that was sensed at one instant. What was not sensed is empty.
 struct Observations {
   double stamp{0.0};  // s
   Scan scan{};
   std::optional<Heading> heading{};
   std::optional<GyroTurn> gyro{};
+  std::optional<std::vector<Sighting>> landmarks{};  // none in sight is an observation too
 };
 
 }  // namespace adaptive_localization

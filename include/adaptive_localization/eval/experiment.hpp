@@ -50,6 +50,7 @@ struct SuccessRule {
   double heading{5.0 * kPi / 180.0};  // rad
   int scans{3};
   std::optional<double> within;  // s, the time in which it must be found
+  bool is_modulo{false};         // the place that is half a turn away counts as well
 };
 
 /// A core under test.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/observations.hpp"
@@ -43,8 +44,8 @@ struct ConfidenceOptions {
 ///     confidence = fit * mass / (1 + (std / converged_std)^2)
 ///
 /// fit is the share of hits within confidence_inlier_distance of an obstacle, stretched from
-/// [low, high] to [0, 1], as a running mean over updates; another sense that contradicts the
-/// estimate halves it.
+/// [low, high] to [0, 1], as a running mean over updates; without a scan it is what other senses
+/// say. Another sense that contradicts the estimate halves the confidence.
 class Confidence {
  public:
   static constexpr double kContradiction = 0.2;  // a fit below tells that the robot is not there
@@ -63,6 +64,10 @@ class Confidence {
 
   /// How well a scan fits the map at a pose, [0, 1]; the scan must have hits.
   double fitOf(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// The same of all that is observed: of other senses where there is no scan; nothing where none
+  /// tells.
+  std::optional<double> fitOf(const Pose2& T_map_base, const Observations& observations) const;
 
   double value() const { return value_; }                 // [0, 1]
   double latestFit() const { return latest_fit_; }        // of the newest scan alone

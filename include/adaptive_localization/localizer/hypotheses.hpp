@@ -52,7 +52,12 @@ class Hypotheses {
   bool isEmpty() const { return all_.empty(); }
 
   /// One more place, unless it is known, not finite, or one too many.
-  void add(const Pose2& T_map_base, double log_odds);
+  void add(const Pose2& T_map_base, double log_odds) {
+    add(T_map_base, log_odds, placeCovariance());
+  }
+
+  /// The same for one that is known so badly, over (x, y, theta), as by sightings of landmarks.
+  void add(const Pose2& T_map_base, double log_odds, const Eigen::Matrix3d& covariance);
 
   /// The place where the robot was told or known to be, with the odds that it has before a scan is
   /// looked at.
@@ -91,7 +96,8 @@ class Hypotheses {
   /// By the odds a core is not where it is, and the last scan fits the likeliest place far better.
   bool isOutdone(const Pose2& T_map_core) const;
 
-  /// Aligns all with a scan and takes note of what it and the other senses say of them.
+  /// Aligns all with a scan and takes note of what it and the other senses say of them. Without a
+  /// scan each is corrected by the other senses, as a Kalman filter is, and they alone are judges.
   void weigh(const Observations& observations, double share, double usual);
 
   /// Leaves out those that became one with a likelier one, and those too unlikely.
@@ -106,9 +112,11 @@ class Hypotheses {
   std::vector<Mode> modes() const;
 
  private:
+  /// Of a place aligned with a scan.
+  static Eigen::Matrix3d placeCovariance();
+
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
-  static constexpr double kFarBetter = 0.5;     // of the error
-  static constexpr double kMostOfSenses = 7.0;  // of log odds, by other senses than the laser
+  static constexpr double kFarBetter = 0.5;  // of the error
 
   /// An error that tells no more than another one, m.
   static double withTolerance(double error) { return 1.25 * error + 0.015; }
@@ -129,12 +137,16 @@ class Hypotheses {
     double error{0.0};         // of the last scan, m
     bool is_explained{false};  // it speaks against no place less
     bool is_spared{false};     // it would rule the place out, were it not kept and did not most fit
-    double sensed{0.0};        // of the odds, what other senses than the laser say
+    std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
+    Eigen::Matrix3d covariance = placeCovariance();
+    double way{0.0};  // m or rad, since it was corrected by other senses
 
-    /// Takes note of what other senses than the laser say of it, a log likelihood.
-    void hear(double told) {
-      const double before = std::exchange(sensed, std::max(-kMostOfSenses, sensed + told));
-      log_odds += sensed - before;
+    /// Takes note of a log likelihood that a sense other than the laser tells of it; of all that
+    /// it tells `most` counts.
+    void hear(std::size_t sense, double told, double most) {
+      if (sensed.size() <= sense) sensed.resize(sense + 1, 0.0);
+      const double before = std::exchange(sensed[sense], std::max(-most, sensed[sense] + told));
+      log_odds += sensed[sense] - before;
     }
   };
 
@@ -148,8 +160,14 @@ class Hypotheses {
   void align(const PlaceRefiner& refiner, double usual);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 
-  /// Log likelihood of each by the senses other than the laser, that of the likeliest being 0.
-  Eigen::ArrayXd scores(const Observations& observations) const;
+  void correctBySenses(const Observations& observations);
+
+  /// Of a scan, but for what other senses say. Log odds.
+  double lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits, double usual) const;
+
+  /// Log likelihood of each, in columns by the senses other than the laser, that of the likeliest
+  /// being 0.
+  Eigen::ArrayXXd scores(const Observations& observations) const;
 
   Ground ground_;
   Senses senses_;

@@ -55,7 +55,7 @@ class Recovery {
                const Observations& observations);
 
   /// The initial pose awaits its first scan, for which the robot need not move.
-  bool isUnverified(const Scan& scan) const;
+  bool isUnverified(const Observations& observations) const;
   void verify(const Estimate& estimate, const Observations& observations);
 
   /// The core's place is ruled out by the odds and others are left: modes().
@@ -93,7 +93,12 @@ class Recovery {
   void open(const Pose2& T_map_base);
   void settle();
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
-  bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error) const;
+  static Observations withoutCover(const Observations& observations);
+  bool tells(const Observations& observations) const;
+  double errorAt(const Pose2& T_map_base, const Observations& observations) const;
+  bool canSearch(const Observations& observations) const;
+  std::vector<Place> placesFor(const Observations& observations) const;
+  bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error, bool is_seen) const;
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
 #include "adaptive_localization/map/polygon.hpp"
 
 namespace adaptive_localization {
@@ -19,6 +20,7 @@ namespace adaptive_localization {
 ///     furniture: [...]                             # solids that the map does not show
 ///     route: [[1, 1], [6, 3]]                      # way-points of the scripted drive, a loop
 ///     start: [1, 1, 0]                             # x, y, yaw
+///     landmarks: [{id: 0, at: [1, 2]}, ...]        # what can be recognized, see landmark_map.hpp
 ///
 /// Metres and radians in the map frame. Only the outline is required; other keys than these are
 /// refused.
@@ -30,6 +32,7 @@ struct FloorPlan {
   std::vector<Polygon> furniture;
   std::vector<Eigen::Vector2d> route;
   std::optional<Pose2> start;
+  std::vector<Landmark> landmarks;
 };
 
 /// Throws std::invalid_argument naming file, key and what was expected.

@@ -21,12 +21,22 @@ class ComposedModel : public ObservationModel {
   std::vector<PoseObservation> linearized(const Observations& observations,
                                           const Pose2& T_map_base) const override;
 
+  bool canLocalize(const Observations& observations) const override;
+
+  /// The mean of those that tell.
+  std::optional<double> misfit(const Observations& observations,
+                               const Pose2& T_map_base) const override;
+
+  std::vector<Pose2> explanations(const Observations& observations) const override;
+
+  const std::vector<std::unique_ptr<ObservationModel>>& parts() const { return parts_; }
+
  private:
   std::vector<std::unique_ptr<ObservationModel>> parts_;
 };
 
 /// Immutable, for all that listen.
-using Senses = std::shared_ptr<const ObservationModel>;
+using Senses = std::shared_ptr<const ComposedModel>;
 
 inline Senses noSenses() {
   return std::make_shared<ComposedModel>();

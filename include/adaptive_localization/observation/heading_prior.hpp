@@ -18,6 +18,8 @@ class HeadingPrior : public ObservationModel {
 
   std::vector<PoseObservation> linearized(const Observations& observations,
                                           const Pose2& T_map_base) const override;
+
+  double mostInAll() const override { return 7.0; }
 };
 
 }  // namespace adaptive_localization

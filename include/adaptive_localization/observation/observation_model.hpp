@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,25 @@ class ObservationModel {
                                                   const Pose2& /*T_map_base*/) const {
     return {};
   }
+
+  // Of senses beside the laser, which may have to do without it.
+
+  /// What it says against a place, in all, as log odds: a sense that is disturbed is so for long,
+  /// and all that it says then is one mistake.
+  virtual double mostInAll() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Whether the observations tell where the robot is, as a scan does.
+  virtual bool canLocalize(const Observations& /*observations*/) const { return false; }
+
+  /// How badly the observations fit a pose, as a laser's mean range error would be, m; nothing
+  /// where they cannot localize.
+  virtual std::optional<double> misfit(const Observations& /*observations*/,
+                                       const Pose2& /*T_map_base*/) const {
+    return std::nullopt;
+  }
+
+  /// Poses that explain the observations, for observations that can localize.
+  virtual std::vector<Pose2> explanations(const Observations& /*observations*/) const { return {}; }
 };
 
 /// An observation model as it is registered.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/sim/camera.hpp"
 #include "adaptive_localization/sim/imu.hpp"
 #include "adaptive_localization/sim/laser.hpp"
 #include "adaptive_localization/sim/people.hpp"
@@ -32,6 +33,7 @@ struct SimulationOptions {
   OdometryOptions odometry;
   LaserOptions laser;
   ImuOptions imu;
+  CameraOptions camera;
   RouteOptions route;
 
   template <class Visitor>
@@ -54,6 +56,7 @@ struct SimulationOptions {
     odometry.visit(option);
     laser.visit(option);
     imu.visit(option);
+    camera.visit(option);
     route.visit(option);
   }
 
@@ -67,12 +70,19 @@ struct OdometryReading {
   Velocity velocity;
 };
 
+/// What the camera sighted.
+struct Picture {
+  double stamp{0.0};  // s
+  std::vector<Sighting> sightings;
+};
+
 /// What came from the sensors in one step.
 struct Sensed {
-  std::optional<LaserScan> scan;         // of the first laser
+  std::optional<LaserScan> scan;         // of the first laser; of none, without a laser: no ranges
   std::optional<LaserScan> second_scan;  // of the second one, with the same stamp
   std::optional<OdometryReading> odometry;
   std::optional<ImuReading> imu;
+  std::optional<Picture> picture;
 };
 
 /// When something that comes at a rate is due: k / rate, k = 1, 2 and so on, s.
@@ -119,6 +129,7 @@ class Simulation {
   const RouteFollower& driver() const { return driver_; }
 
   bool hasImu() const { return options_.imu.imu; }
+  bool hasCamera() const { return options_.camera.camera; }
 
   /// Turns what the compass tells by an angle in rad, from now on.
   void disturbCompass(double angle) { imu_.disturb(angle); }
@@ -139,6 +150,8 @@ class Simulation {
   void move();
   bool blocks(const Pose2& T_map_next) const;
   void scan(double time);
+  Picture takePicture(double time);
+  double rangeTo(const Pose2& T_map_ray, double max_range) const;
 
   SimulationOptions options_;
   std::shared_ptr<const World> world_;
@@ -149,6 +162,7 @@ class Simulation {
   std::vector<Pose2> laser_mounts_;
   std::vector<Laser> lasers_;
   Imu imu_;
+  Camera camera_;
   People people_;
   RouteFollower driver_;
   Pose2 start_;
@@ -156,7 +170,7 @@ class Simulation {
   std::optional<Pose2> T_map_odom_;  // as it is localized
   std::int64_t ticks_{0};
   double commanded_at_{-1e9};
-  Metronome scans_, readings_;
+  Metronome scans_, readings_, pictures_;
   std::deque<Sensed> on_the_wire_;  // scans taken but not yet delivered
 };
 

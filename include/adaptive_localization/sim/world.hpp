@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
@@ -36,6 +37,7 @@ struct Site {
   std::shared_ptr<const World> world;
   std::vector<Eigen::Vector2d> route;  // may be empty
   std::optional<Pose2> start;
+  std::vector<Landmark> landmarks{};
 };
 
 /// Reads a floor plan (a YAML file with an outline) or a map (a YAML file that names an image).

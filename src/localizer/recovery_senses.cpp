@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What observations tell of places, by the laser or, without one, by other senses.
+#include <algorithm>
+
+#include "adaptive_localization/localizer/recovery.hpp"
+#include "adaptive_localization/ser/places.hpp"
+#include "occlusion.hpp"
+
+namespace adaptive_localization {
+
+/// A laser that is covered says nothing: then other senses are asked, as where there is no laser.
+Observations Recovery::withoutCover(const Observations& observations) {
+  Observations rest = observations;
+  if (isCovered(rest.scan)) rest.scan = {};
+  return rest;
+}
+
+/// Whether a scan, or another sense without one, tells where the robot is.
+bool Recovery::tells(const Observations& observations) const {
+  return observations.scan.hits() > 0 || senses_->canLocalize(observations);
+}
+
+/// The mean range error of a scan, or else what other senses have in its place, m.
+double Recovery::errorAt(const Pose2& T_map_base, const Observations& observations) const {
+  const Scan& scan = observations.scan;
+  if (scan.hits() > 0) return range_error_.at(T_map_base, scan).error;
+  return senses_->misfit(observations, T_map_base).value_or(RangeError::kTruncation);
+}
+
+bool Recovery::canSearch(const Observations& observations) const {
+  const bool is_seen = observations.scan.hits() > 0;
+  return is_seen ? ground_.places->isReadyFor(observations.scan)
+                 : senses_->canLocalize(observations);
+}
+
+/// All places that explain a scan, or else what other senses tell.
+std::vector<Place> Recovery::placesFor(const Observations& observations) const {
+  if (observations.scan.hits() > 0) return ground_.places->search(observations);
+  std::vector<Place> places;
+  for (const Pose2& pose : senses_->explanations(observations)) {
+    places.push_back({pose, errorAt(pose, observations)});
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.error < b.error; });
+  return places;
+}
+
+/// Another sense gainsays the core's place, and there is one that both scan and sense agree on. If
+/// there is none, it is the sense that is wrong.
+bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observations& observations) {
+  constexpr double kBetter = 1.0;  // of a log likelihood
+  if (!confidence_.isGainsaid() || !pace_.isOver(error)) return false;
+  const std::vector<Place> places = placesFor(observations);
+  if (!canSearch(observations)) return false;
+  pace_.searched(false, error);
+  Particles poses(static_cast<Eigen::Index>(places.size()) + 1);
+  poses.setPose(0, T_map_base);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    poses.setPose(static_cast<Eigen::Index>(i) + 1, places[i].T_map_base);
+  }
+  Eigen::ArrayXd told = Eigen::ArrayXd::Zero(poses.size());
+  senses_->score(observations, poses, told);
+  return told.maxCoeff() > told[0] + kBetter;
+}
+
+}  // namespace adaptive_localization
