@@ -58,6 +58,25 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matr
   }
 }
 
+void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
+                          const Eigen::Matrix3d& covariance) {
+  left_out_.reset();
+  for (const Place& place : places) {
+    const auto known = at(all_, place.T_map_base);
+    if (known == all_.end() && all_.size() == kMostPlaces) {
+      left_out_ = log_odds;
+    } else if (known == all_.end()) {
+      add(place.T_map_base, log_odds, covariance);
+    } else if (!known->T_map_found) {
+      known->T_map_found = place.T_map_base;
+    }
+  }
+}
+
+bool Hypotheses::lackSome() const {
+  return left_out_ && *left_out_ >= all_.front().log_odds - kMargin;
+}
+
 void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
   if (!isFinite(T_map_base) || knows(T_map_base)) return;
   all_.push_back({T_map_base, odds.value(), odds.value(), odds.word(), odds.isKept(), true});
@@ -96,6 +115,7 @@ void Hypotheses::ride(const Pose2& motion) {
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_base = hypothesis.T_map_base * motion;
     hypothesis.way += wayOf(motion);
+    hypothesis.T_map_found.reset();
   }
   T_map_kept_ = T_map_kept_ * motion;
 }

@@ -42,6 +42,10 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
     Place place = alignedWith(refiner, hypothesis.T_map_ridden);
+    if (hypothesis.T_map_found) {
+      const Place found = alignedWith(refiner, *hypothesis.T_map_found);
+      if (withTolerance(found.error) < place.error) place = found;
+    }
     if (hypothesis.T_map_core) {
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);

@@ -188,7 +188,9 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();
   const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
-  if (pace_.wasBlind(hypotheses_.leastError())) return search(observations);
+  const bool were_all_compared =
+      !hypotheses_.lackSome() && !pace_.wasBlind(hypotheses_.leastError());
+  if (!were_all_compared) return search(observations);
   if (hypotheses_.ruledOut()) {
     odds_ = TrackingOdds();  // those were of that place
     proof_.demand();
@@ -204,10 +206,7 @@ void Recovery::search(const Observations& observations) {
   told_.checked();
   const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
   const bool is_seen = observations.scan.hits() > 0;
-  for (const Place& place : places) {
-    is_seen ? hypotheses_.add(place.T_map_base, odds)
-            : hypotheses_.add(place.T_map_base, odds, roughly());
-  }
+  is_seen ? hypotheses_.addFound(places, odds) : hypotheses_.addFound(places, odds, roughly());
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
   searched_ = searched_ || !hypotheses_.isEmpty();

@@ -249,6 +249,45 @@ TEST(Hypotheses, OnePlaceIsOneAndNowhereIsNone) {
   EXPECT_EQ(hypotheses.modes().size(), 1U);
 }
 
+TEST(Hypotheses, APlaceThatDriftedOffIsAlignedFromWhereASearchFoundIt) {
+  const Pose2 drifted = kTruth * Pose2{0.4, 0.1, -0.3};  // still the same place
+  for (const bool is_found : {false, true}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(drifted, 0.0);
+    if (is_found) hypotheses.addFound({{kTruth, 0.01}, {drifted, 0.2}}, 0.0);
+    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+    ASSERT_EQ(hypotheses.modes().size(), 1U);
+    const Pose2 aligned = hypotheses.modes().front().T_map_base;
+    EXPECT_EQ(distance(aligned, kTruth) < 0.05, is_found);
+    EXPECT_EQ(hypotheses.leastError() < kUsual, is_found);
+  }
+}
+
+/// So many, the first ones of a grid.
+std::vector<Place> placesOfGrid(int count) {
+  std::vector<Place> places;
+  for (int i = 0; i < count; ++i) places.push_back({{0.6 * (i % 12), 0.6 * (i / 12), 0.0}, 0.0});
+  return places;
+}
+
+TEST(Hypotheses, LackPlacesThatHadNoRoomUnlessOneIsLikelierByFar) {
+  Hypotheses found(asymmetricWorld()), kept(asymmetricWorld());
+  found.addFound(placesOfGrid(100), 0.0);
+  EXPECT_FALSE(found.lackSome());
+  found.addFound(placesOfGrid(101), 0.0);
+  EXPECT_TRUE(found.lackSome());
+  EXPECT_EQ(found.modes().size(), 100U);
+  found.addFound(placesOfGrid(50), 0.0);  // searched again
+  EXPECT_FALSE(found.lackSome());
+  TrackingOdds odds(true);
+  odds.find();
+  kept.addKept(kTruth, odds);
+  kept.addFound(placesOfGrid(101), 0.0);
+  EXPECT_FALSE(kept.lackSome());
+  kept.addFound(placesOfGrid(101), 5.0);
+  EXPECT_TRUE(kept.lackSome());
+}
+
 /// The symmetric room with a cupboard in one half of it.
 std::shared_ptr<const OccupancyGrid> roomWithCupboard() {
   const auto room = symmetricWorld();

@@ -421,6 +421,33 @@ TEST(Recovery, APlaceThatWasLeftIsAmongThoseThatAreComparedNext) {
   EXPECT_GT(watched.shareOf(truth), 0.4);  // and at most one looks alike
 }
 
+/// A hall of 80 m by 6 m with two equal blocks in it.
+std::shared_ptr<const OccupancyGrid> longHall() {
+  Art art(12, "#" + std::string(158, '.') + "#");
+  art.front() = art.back() = std::string(160, '#');
+  for (const std::size_t column : {30U, 110U}) {
+    for (std::size_t row = 4; row < 9; ++row) art[row].replace(column, 3, "###");
+  }
+  return hollow(*toyWorld(art, 0.05, {}, 10));
+}
+
+/// Along its walls a short-sighted laser fits more places than can be followed.
+TEST(Recovery, ThePlaceThatIsLeftOfThoseThatHadRoomIsComparedWithTheOthers) {
+  Watched watched(longHall());
+  watched.laser.max_range = 2.5;
+  Pose2 truth{12.4, 1.0, 0.0}, twin{52.4, 1.0, 0.0};
+  watched.recovery.reset(Anywhere{});
+  watched.believed = twin;
+  for (double way = 0.0; way < 3.0; way += 0.1) {  // past a block
+    const Pose2 motion{way > 0.0 ? 0.1 : 0.0, 0.0, 0.0};
+    truth = truth * motion;
+    twin = twin * motion;
+    watched.see(truth, twin, motion);
+    EXPECT_NE(watched.recovery.status(), Status::kTracking) << way;
+  }
+  EXPECT_GT(watched.shareOf(truth), 0.0);
+}
+
 /// A hall of 24 m by 4 m with a block in it, whose walls are now 0.25, now 0.65 m thick.
 std::shared_ptr<const OccupancyGrid> roughWorld() {
   constexpr int kColumns = 480, kRows = 100, kEnd = 10, kBay = 16;  // cells

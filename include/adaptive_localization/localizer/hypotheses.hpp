@@ -47,6 +47,7 @@ class Hypotheses {
   void clear() {
     all_.clear();
     is_kept_ruled_out_ = false;
+    left_out_.reset();
     least_error_ = 0.0;
   }
   bool isEmpty() const { return all_.empty(); }
@@ -58,6 +59,18 @@ class Hypotheses {
 
   /// The same for one that is known so badly, over (x, y, theta), as by sightings of landmarks.
   void add(const Pose2& T_map_base, double log_odds, const Eigen::Matrix3d& covariance);
+
+  /// All that a search found, best first. One that is known may have drifted off: it is aligned
+  /// with the next scan from where it was found as well.
+  void addFound(const std::vector<Place>& places, double log_odds) {
+    addFound(places, log_odds, placeCovariance());
+  }
+  void addFound(const std::vector<Place>& places, double log_odds,
+                const Eigen::Matrix3d& covariance);
+
+  /// Whether the last search found places for which there was no room, and which those that are
+  /// left do not rule out.
+  bool lackSome() const;
 
   /// The place where the robot was told or known to be, with the odds that it has before a scan is
   /// looked at.
@@ -128,7 +141,7 @@ class Hypotheses {
     double word{0.0};   // of that, what somebody said and no scan
     bool is_kept{false};
     bool was_believed{false};  // it was the only one before the others were looked for
-    std::optional<Pose2> T_map_core{};
+    std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
     Pose2 T_map_ridden{};      // by odometry alone, before it was aligned with the last scan
     bool is_new{true};         // not judged yet: a scan counts in full
     bool is_due{true};         // to be judged by this scan
@@ -176,6 +189,7 @@ class Hypotheses {
   std::vector<Hypothesis> all_;
   Pose2 T_map_kept_;
   bool is_kept_ruled_out_{false};
+  std::optional<double> left_out_;  // log odds of places for which there was no room
 };
 
 /// The first of the modes that is the same place as a pose; null if there is none.
