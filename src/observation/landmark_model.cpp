@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "adaptive_localization/map/landmark_file.hpp"
+
 namespace adaptive_localization {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "adaptive_localization/map/floor_plan.hpp"
+#include "adaptive_localization/map/landmark_file.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 namespace adaptive_localization {
@@ -27,14 +26,5 @@ class LandmarkMap {
  private:
   std::vector<Landmark> all_;
 };
-
-/// Reads the list `landmarks` of a YAML file, which may be a floor plan:
-///
-///     landmarks:
-///       - {id: 0, at: [4.5, 0.8]}       # m, in the map
-///       - {id: 0, at: [4.5, -0.8]}      # looks the same
-///
-/// Throws std::invalid_argument naming the file, the entry and what was expected.
-LandmarkMap loadLandmarks(const std::string& yaml_file);
 
 }  // namespace adaptive_localization
