@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "adaptive_localization/map/landmark_file.hpp"
+#include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
 #include "initial_pose.hpp"
@@ -12,6 +14,15 @@
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+LandmarkMap knownLandmarks(const Parameters& parameters) {
+  const std::string file = parameters.read<LandmarkOptions>().landmark_map;
+  return file.empty() ? LandmarkMap() : loadLandmarks(file);
+}
+
+}  // namespace
+
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
     : parameters_(readParameters(private_node)),
       options_(readNodeOptions(withCacheDir(parameters_))),
@@ -27,6 +38,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
           [this](double seconds) { onTimeJump(seconds); }),
       headings_(node, tf_, odometry_, options_),
+      landmarks_(node, tf_, tf_input_, odometry_, options_, knownLandmarks(parameters_),
+                 [this](const auto& stamp, const auto& pose) { onLandmarks(stamp, pose); }),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(
           node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
       global_localization_(serve<std_srvs::Empty>(
@@ -78,10 +91,6 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
   if (!T_odom_base) throw std::invalid_argument(why);
-  if (!odometry_watch_.goesOn(stamp, *T_odom_base) && answer_) {
-    ROS_WARN("Odometry jumped: starting anew around the last pose");
-    startAround(*answer_);
-  }
   const LaserScan laser_scan = toLaserScan(message);
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
@@ -91,10 +100,28 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
                                 " ranges is valid");
   }
   places_.prepare(scan);
+  localize(stamp, *T_odom_base, scan);
+  return true;
+}
+
+/// Without a laser they are what the robot is localized by; else they come with the next scan.
+void LocalizationNode::onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base) {
+  if (localizer_ && !scans_.hasTopics()) localize(stamp, T_odom_base, {});
+}
+
+void LocalizationNode::localize(const ros::Time& stamp, const Pose2& T_odom_base,
+                                const Scan& scan) {
+  if (!odometry_watch_.goesOn(stamp, T_odom_base) && answer_) {
+    ROS_WARN("Odometry jumped: starting anew around the last pose");
+    startAround(*answer_);
+  }
+  Observations observations;
+  observations.stamp = stamp.toSec();
+  observations.scan = scan;
+  headings_.observe(T_odom_base, observations);
+  landmarks_.observe(T_odom_base, observations);
   const auto begin = std::chrono::steady_clock::now();
-  Observations observations{stamp.toSec(), scan};
-  headings_.observe(*T_odom_base, observations);
-  const Localization answer = localizer_->update(*T_odom_base, observations);
+  const Localization answer = localizer_->update(T_odom_base, observations);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   if (answer.updated) ms_per_update_ = spent.count();
 
@@ -110,7 +137,6 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts(),
                            senses());
   display_.show(answer, scan, match, localizer_->places(), stamp);
-  return true;
 }
 
 /// Forward, odometry bridges the gap; back, it has started anew as well.
@@ -123,6 +149,7 @@ void LocalizationNode::onTimeJump(double seconds) {
   ROS_WARN("Time jumped back by %.1f s: starting anew around the last pose", -seconds);
   odometry_watch_.forget();
   headings_.forget();
+  landmarks_.forget();
   publisher_.forgetStamps();
   if (answer_) startAround(*answer_);
 }
@@ -181,6 +208,10 @@ std::vector<SenseStatus> LocalizationNode::senses() const {
                             : sense.name == "compass" ? localizer_->compass().state()
                                                       : localizer_->gyroscope().state();
     all.push_back({sense, is_heard ? use : sense.missing, is_heard && use != "disturbed"});
+  }
+  if (const auto landmarks = landmarks_.health()) {
+    const bool is_heard = landmarks->missing.empty();
+    all.push_back({*landmarks, is_heard ? "used" : landmarks->missing, is_heard});
   }
   return all;
 }

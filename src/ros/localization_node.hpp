@@ -14,6 +14,7 @@
 #include "display.hpp"
 #include "estimate_publisher.hpp"
 #include "heading_source.hpp"
+#include "landmark_source.hpp"
 #include "map_builder.hpp"
 #include "map_source.hpp"
 #include "node_diagnostics.hpp"
@@ -52,6 +53,8 @@ class LocalizationNode {
 
   void onMap(const Ground& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
+  void onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base);
+  void localize(const ros::Time& stamp, const Pose2& T_odom_base, const Scan& scan);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
   bool onGlobalLocalization();
@@ -85,6 +88,7 @@ class LocalizationNode {
   PoseKeeper pose_keeper_;
   ScanSource scans_;
   HeadingSource headings_;
+  LandmarkSource landmarks_;
   ros::Subscriber initial_pose_;
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;

@@ -36,6 +36,7 @@ struct NodeOptions {
   std::string scan_topics{"scan"};
   double scan_time_offset{0.0};
   HeadingTopics headings;
+  std::string landmark_topic;
   bool use_map_topic{false};
   bool first_map_only{false};
   bool map_origin_is_cell_center{false};
@@ -62,11 +63,16 @@ struct NodeOptions {
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the map.");
-    option("scan_topics", scan_topics, Choices{},
-           "Topics with scans, separated by spaces or commas.");
+    option(
+        "scan_topics", scan_topics, Choices{},
+        "Topics with scans, separated by spaces or commas; empty: a robot without a laser, which "
+        "landmarks localize.");
     option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
            "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
     headings.visit(option);
+    option("landmark_topic", landmark_topic, Choices{},
+           "Topic with sightings of the landmark_map's landmarks (sensor_msgs/PointCloud); empty: "
+           "none.");
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");

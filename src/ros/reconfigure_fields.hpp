@@ -29,7 +29,8 @@ inline bool isReadAtStart(const std::string& key) {
       "odom_frame_id", "base_frame_id", "global_frame_id",
       "scan_topics",   "use_map_topic", "first_map_only",
       "tf_rate",       "pose_file",     "map_origin_is_cell_center",
-      "imu_topic",     "heading_topic", "magnetic_field_topic"};
+      "imu_topic",     "heading_topic", "magnetic_field_topic",
+      "landmark_topic"};
   return keys.count(key) > 0;
 }
 

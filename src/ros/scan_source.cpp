@@ -117,6 +117,7 @@ void ScanSource::drop(const std::string& why, bool is_said) {
 
 std::string ScanSource::missing() const {
   const auto now = ros::WallTime::now();
+  if (!hasTopics()) return "";
   if (now - last_received_ > kPatience) {
     std::string topics;
     for (const auto& subscriber : subscribers_) {

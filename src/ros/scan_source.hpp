@@ -32,6 +32,9 @@ class ScanSource {
   ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
              const NodeOptions& options, Callback callback, JumpCallback on_jump);
 
+  /// Whether the robot has a laser at all.
+  bool hasTopics() const { return !subscribers_.empty(); }
+
   /// Whether this is one of its topics, given without the slash in front.
   bool hears(const std::string& topic) const;
 

@@ -5,6 +5,7 @@
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -70,6 +71,9 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   odometry_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
   scan_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
   if (simulation_.hasImu()) imu_ = node.advertise<sensor_msgs::Imu>("imu", kQueue);
+  if (simulation_.hasCamera()) {
+    landmarks_ = node.advertise<sensor_msgs::PointCloud>("landmarks", kQueue);
+  }
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
   if (options_.publish_laser_tf) publishSensorFrames();
@@ -132,8 +136,9 @@ void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
 void SimulatorNode::publish(const Sensed& sensed) {
   if (sensed.odometry) publishOdometry(*sensed.odometry);
   if (sensed.imu) publishImu(*sensed.imu);
+  if (sensed.picture) publishPicture(*sensed.picture);
   if (!sensed.scan) return;
-  publishScan(*sensed.scan, options_.laser_frame);
+  if (!sensed.scan->ranges.empty()) publishScan(*sensed.scan, options_.laser_frame);
   if (sensed.second_scan) publishScan(*sensed.second_scan, options_.second_laser_frame);
   if (markers_.getNumSubscribers() > 0) publishMarkers();
 }
@@ -181,6 +186,25 @@ void SimulatorNode::publishImu(const ImuReading& reading) {
   imu_.publish(message);
 }
 
+void SimulatorNode::publishPicture(const Picture& picture) {
+  sensor_msgs::PointCloud message;
+  message.header.stamp = toRosTime(picture.stamp);
+  message.header.frame_id = options_.camera_frame;
+  message.channels.resize(3);
+  const char* const names[] = {"id", "range_std", "bearing_std"};
+  for (std::size_t k = 0; k < 3; ++k) message.channels[k].name = names[k];
+  for (const Sighting& sighting : picture.sightings) {
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(sighting.range * std::cos(sighting.bearing));
+    point.y = static_cast<float>(sighting.range * std::sin(sighting.bearing));
+    message.points.push_back(point);
+    message.channels[0].values.push_back(static_cast<float>(sighting.id));
+    message.channels[1].values.push_back(static_cast<float>(sighting.range_deviation));
+    message.channels[2].values.push_back(static_cast<float>(sighting.bearing_deviation));
+  }
+  landmarks_.publish(message);
+}
+
 void SimulatorNode::publishMarkers() {
   std_msgs::Header header;
   header.stamp = toRosTime(simulation_.time());
@@ -200,9 +224,13 @@ void SimulatorNode::publishSensorFrames() {
     transform.transform.translation.z = options_.laser_z;
     transforms.push_back(transform);
   }
-  if (simulation_.hasImu()) {
-    geometry_msgs::TransformStamped transform = transforms.front();
-    transform.child_frame_id = options_.imu_frame;
+  for (const auto& [has_it, frame] : {std::pair(simulation_.hasImu(), options_.imu_frame),
+                                      std::pair(simulation_.hasCamera(), options_.camera_frame)}) {
+    if (!has_it) continue;
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = epoch_;
+    transform.header.frame_id = options_.base_frame_id;
+    transform.child_frame_id = frame;
     transform.transform = toTransformMessage(Pose2{});
     transforms.push_back(transform);
   }

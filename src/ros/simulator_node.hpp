@@ -25,6 +25,7 @@ struct SimulatorNodeOptions {
   std::string laser_frame{"laser"};
   std::string second_laser_frame{"laser_2"};
   std::string imu_frame{"imu"};
+  std::string camera_frame{"camera"};
   std::string odom_frame_id{"odom"};
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
@@ -43,6 +44,7 @@ struct SimulatorNodeOptions {
     option("laser_z", laser_z, Range{-10, 10}, "m", "The laser's height above the floor.");
     option("laser_frame", laser_frame, Choices{}, "Frame of the scans.");
     option("second_laser_frame", second_laser_frame, Choices{}, "The same of the second laser.");
+    option("camera_frame", camera_frame, Choices{}, "Frame of the sightings of landmarks.");
     option("imu_frame", imu_frame, Choices{}, "Frame of the compass and the gyroscope.");
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
@@ -50,10 +52,10 @@ struct SimulatorNodeOptions {
   }
 };
 
-/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan, imu if it has
-/// one, and the truth out. Topic kidnap carries the robot to a pose, disturb_compass turns what the
-/// compass tells by an angle, service kidnap_random anywhere, reset_positions to the start. One
-/// thread, no locks.
+/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan, and imu and
+/// landmarks if it has what they take; the truth. Topic kidnap carries the robot to a pose,
+/// disturb_compass turns what the compass tells by an angle, service kidnap_random anywhere,
+/// reset_positions to the start. One thread, no locks.
 class SimulatorNode {
  public:
   /// Throws std::invalid_argument naming what is wrong with a parameter or the world.
@@ -67,6 +69,7 @@ class SimulatorNode {
   void publishOdometry(const OdometryReading& reading);
   void publishScan(const LaserScan& scan, const std::string& frame);
   void publishImu(const ImuReading& reading);
+  void publishPicture(const Picture& picture);
   void publishMarkers();
   void publishSensorFrames();
   bool mustWait() const;
@@ -90,7 +93,8 @@ class SimulatorNode {
   ros::Publisher clock_;
   ros::Publisher odometry_;
   ros::Publisher scan_;
-  ros::Publisher imu_;  // where there is one
+  ros::Publisher imu_;        // where there is one,
+  ros::Publisher landmarks_;  // as of the camera
   ros::Publisher truth_;
   ros::Publisher markers_;
   ros::Subscriber transforms_;

@@ -82,7 +82,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>>& rules() {
       {"bag", {"core"}},
       {"eval",
        {"core", "map", "particle", "match", "ser", "swarm", "filters", "localizer", "sim", "bag"}},
-      {"ros", {"core", "map", "match", "ser", "filters", "localizer", "sim", "bag"}},
+      {"ros", {"core", "map", "observation", "match", "ser", "filters", "localizer", "sim", "bag"}},
       {"apps", {"core", "map", "match", "ser", "localizer", "sim", "eval", "ros"}}};
   return all;
 }
