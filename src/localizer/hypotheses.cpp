@@ -87,6 +87,13 @@ bool Hypotheses::knows(const Pose2& T_map_base) const {
   return at(all_, T_map_base) != all_.end();
 }
 
+bool Hypotheses::explain(const Observations& observations, double most) const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    const Gaussian2 corrected = correctedBySenses(hypothesis, observations);
+    return senses_->misfit(observations, corrected.mean).value_or(most) < most;
+  });
+}
+
 bool Hypotheses::hold(const Pose2& T_map_core, double error, double usual) const {
   const auto place = about(all_, T_map_core);
   if (place == all_.end()) return false;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <utility>
 
 #include "adaptive_localization/localizer/hypotheses.hpp"
 #include "adaptive_localization/localizer/usual_error.hpp"
@@ -60,22 +59,29 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
 }
 
 /// Each is a Kalman filter of its own (after Kargas, whom Fidelis and Colombini cite).
-void Hypotheses::correctBySenses(const Observations& observations) {
+Gaussian2 Hypotheses::correctedBySenses(const Hypothesis& hypothesis,
+                                        const Observations& observations) const {
   constexpr double kOdometry = 0.1;  // standard deviation per way, m/m and rad/rad
+  const double drift = kOdometry * hypothesis.way;
+  PoseKalman kalman;
+  kalman.reset(
+      {hypothesis.T_map_base, hypothesis.covariance + drift * drift * Eigen::Matrix3d::Identity()});
+  correctBy(*senses_, observations, kalman);
+  return kalman.belief();
+}
+
+void Hypotheses::correctBySenses(const Observations& observations) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
   for (Hypothesis& hypothesis : all_) {
     if (!hypothesis.is_due) continue;
+    const Gaussian2 corrected = correctedBySenses(hypothesis, observations);
     hypothesis.T_map_core.reset();
-    const double drift = kOdometry * std::exchange(hypothesis.way, 0.0);
-    PoseKalman kalman;
-    kalman.reset({hypothesis.T_map_base,
-                  hypothesis.covariance + drift * drift * Eigen::Matrix3d::Identity()});
-    correctBy(*senses_, observations, kalman);
-    hypothesis.T_map_base = kalman.mean();
-    hypothesis.covariance = kalman.covariance();
+    hypothesis.T_map_base = corrected.mean;
+    hypothesis.covariance = corrected.covariance;
+    hypothesis.way = 0.0;
     hypothesis.error =
-        senses_->misfit(observations, kalman.mean()).value_or(RangeError::kTruncation);
+        senses_->misfit(observations, corrected.mean).value_or(RangeError::kTruncation);
     least_error_ = std::min(least_error_, hypothesis.error);
   }
 }

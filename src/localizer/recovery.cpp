@@ -12,8 +12,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
-constexpr double kExplained = 0.2;    // m, mean range error of a scan that a place explains
-constexpr double kUnfit = 0.3;        // m, of a scan that tells of no place
+constexpr double kUnfit = 0.3;                        // m, of a scan that tells of no place
 constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
 constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
 constexpr int kSpurious = 2;          // updates in a row that sightings of no landmark can explain

@@ -33,11 +33,13 @@ bool Recovery::canSearch(const Observations& observations) const {
                  : senses_->canLocalize(observations);
 }
 
-/// All places that explain a scan, or else what other senses tell.
+/// All places that explain a scan, or else what other senses tell: samples of a circle, say, only
+/// where no place that is followed explains it.
 std::vector<Place> Recovery::placesFor(const Observations& observations) const {
   if (observations.scan.hits() > 0) return ground_.places->search(observations);
   std::vector<Place> places;
-  for (const Pose2& pose : senses_->explanations(observations)) {
+  const bool is_new = !hypotheses_.explain(observations, kExplained);
+  for (const Pose2& pose : senses_->explanations(observations, is_new)) {
     places.push_back({pose, errorAt(pose, observations)});
   }
   std::stable_sort(places.begin(), places.end(),

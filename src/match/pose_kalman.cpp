@@ -85,10 +85,10 @@ bool isOutlier(const PoseObservation& observation, const PoseKalman& belief) {
 
 void correctBy(const ObservationModel& senses, const Observations& observations,
                PoseKalman& belief) {
-  const std::size_t count = senses.linearized(observations, belief.mean()).size();
-  for (std::size_t i = 0; i < count; ++i) {  // each where those before have moved the belief to
-    const PoseObservation seen = senses.linearized(observations, belief.mean())[i];
-    if (!isOutlier(seen, belief)) belief.correct(seen);
+  for (std::size_t i = 0;; ++i) {  // each where those before have moved the belief to
+    const auto seen = senses.linearized(observations, belief.mean());
+    if (i >= seen.size()) return;  // there may be fewer than from the pose before
+    if (!isOutlier(seen[i], belief)) belief.correct(seen[i]);
   }
 }
 

@@ -42,10 +42,11 @@ std::optional<double> ComposedModel::misfit(const Observations& observations,
   return count > 0 ? std::make_optional(sum / count) : std::nullopt;
 }
 
-std::vector<Pose2> ComposedModel::explanations(const Observations& observations) const {
+std::vector<Pose2> ComposedModel::explanations(const Observations& observations,
+                                               bool are_samples_asked) const {
   std::vector<Pose2> all;
   for (const auto& part : parts_) {
-    const auto some = part->explanations(observations);
+    const auto some = part->explanations(observations, are_samples_asked);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

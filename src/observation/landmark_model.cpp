@@ -230,7 +230,8 @@ void LandmarkModel::addPair(const Sighting& a, const Sighting& b, std::vector<Po
   }
 }
 
-std::vector<Pose2> LandmarkModel::explanations(const Observations& observations) const {
+std::vector<Pose2> LandmarkModel::explanations(const Observations& observations,
+                                               bool are_samples_asked) const {
   std::vector<Pose2> poses;
   const std::vector<Sighting> sightings = sightingsIn(observations);
   for (std::size_t i = 0; i < sightings.size(); ++i) {
@@ -238,7 +239,7 @@ std::vector<Pose2> LandmarkModel::explanations(const Observations& observations)
       addPair(sightings[i], sightings[j], poses);
     }
   }
-  if (poses.empty()) {
+  if (poses.empty() && are_samples_asked) {
     for (const Sighting& sighting : sightings) addRing(sighting, poses);
   }
   return poses;

@@ -4,6 +4,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "adaptive_localization/ser/places.hpp"
+#include "landmark_markers.hpp"
 #include "point_markers.hpp"
 #include "status_markers.hpp"
 
@@ -19,7 +20,17 @@ Display::Display(ros::NodeHandle private_node, const NodeOptions& options)
     : options_(options),
       ser_(private_node.advertise<visualization_msgs::Marker>("ser", 1)),
       match_(private_node.advertise<visualization_msgs::Marker>("match", 1)),
-      text_(private_node.advertise<visualization_msgs::MarkerArray>("status_text", 1)) {}
+      text_(private_node.advertise<visualization_msgs::MarkerArray>("status_text", 1)),
+      landmarks_(private_node.advertise<visualization_msgs::MarkerArray>("landmarks", 1)) {}
+
+void Display::showLandmarks(const LandmarkMap& known, const Pose2& T_map_base,
+                            const std::vector<Sighting>& sightings, const ros::Time& stamp) {
+  if (landmarks_.getNumSubscribers() == 0) return;
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = options_.global_frame_id;
+  landmarks_.publish(landmarkMarkers(header, known, T_map_base, sightings));
+}
 
 void Display::show(const Localization& answer, const Scan& scan, const Match* match, Places& places,
                    const ros::Time& stamp) {

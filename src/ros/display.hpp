@@ -4,12 +4,14 @@
 #include <ros/ros.h>
 
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {
 
 /// What is only for eyes: ~ser, where scans would have the energy of the newest one, ~match, which
-/// of its points fit the map, and ~status_text. Made while somebody looks, and a few times a second
+/// of its points fit the map, ~status_text, and ~landmarks, where landmarks are and were sighted.
+/// Made while somebody looks, and a few times a second
 /// at the most.
 class Display {
  public:
@@ -20,6 +22,9 @@ class Display {
   void show(const Localization& answer, const Scan& scan, const Match* match, Places& places,
             const ros::Time& stamp);
 
+  void showLandmarks(const LandmarkMap& known, const Pose2& T_map_base,
+                     const std::vector<Sighting>& sightings, const ros::Time& stamp);
+
  private:
   void showMatch(const Scan& scan, const Match* match, const std_msgs::Header& header);
 
@@ -27,6 +32,7 @@ class Display {
   ros::Publisher ser_;
   ros::Publisher match_;
   ros::Publisher text_;
+  ros::Publisher landmarks_;
   ros::WallTime shown_, match_shown_;
 };
 

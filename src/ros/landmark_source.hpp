@@ -39,6 +39,8 @@ class LandmarkSource {
   /// Adds what was sighted last, as seen from where the robot is by now, and forgets it.
   void observe(const Pose2& T_odom_base, Observations& observations);
 
+  const LandmarkMap& known() const { return known_; }
+
   void forget();
 
   /// Nothing without a landmark_topic.

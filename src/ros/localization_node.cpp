@@ -133,10 +133,12 @@ void LocalizationNode::localize(const ros::Time& stamp, const Pose2& T_odom_base
     if (answer.updated) publisher_.publishLeaders(localizer_->leaders(), stamp);
     pose_keeper_.keep({answer.T_map_base, answer.covariance}, stamp);
   }
-  const Match* match = localizer_->match();
+  const Match* match = scans_.hasTopics() ? localizer_->match() : nullptr;
   publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts(),
                            senses());
   display_.show(answer, scan, match, localizer_->places(), stamp);
+  if (!observations.landmarks) return;
+  display_.showLandmarks(landmarks_.known(), answer.T_map_base, *observations.landmarks, stamp);
 }
 
 /// Forward, odometry bridges the gap; back, it has started anew as well.
@@ -195,7 +197,8 @@ NodeHealth LocalizationNode::health() const {
   if (answer_ && answer_->status != Status::kUninitialised) {
     health.covariance = answer_->covariance;
   }
-  if (const Match* match = localizer_ ? localizer_->match() : nullptr) health.match = match->fault;
+  const bool is_matched = localizer_ && scans_.hasTopics();
+  if (const Match* match = is_matched ? localizer_->match() : nullptr) health.match = match->fault;
   return health;
 }
 

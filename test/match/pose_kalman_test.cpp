@@ -44,6 +44,29 @@ Eigen::Matrix3d randomCovariance(Rng& rng) {
   return root * root.transpose();
 }
 
+/// Sees two things, but one alone from beyond x = 1.
+class Nearsighted : public ObservationModel {
+ public:
+  double score(const Observations&, const Particles&, Eigen::Ref<Eigen::ArrayXd>) const override {
+    return 0.0;
+  }
+
+  std::vector<PoseObservation> linearized(const Observations&, const Pose2& pose) const override {
+    PoseObservation seen;
+    seen.innovation.setConstant(1, 2.0 - pose.x);
+    seen.H = Eigen::RowVector3d::UnitX();
+    seen.R.setConstant(1, 1, 0.01);
+    return std::vector<PoseObservation>(pose.x > 1.0 ? 1 : 2, seen);
+  }
+};
+
+TEST(PoseKalman, IsCorrectedByASenseThatSeesLessFromWhereItIsMovedTo) {
+  PoseKalman kalman;
+  kalman.reset({{0.0, 0.0, 0.0}, diagonal(1.0, 0.1)});
+  correctBy(Nearsighted(), {}, kalman);
+  EXPECT_NEAR(kalman.mean().x, 2.0, 0.05);
+}
+
 TEST(PoseKalman, PredictsWhatACloudOfSamplesDoes) {
   const Gaussian2 start{{1.0, 2.0, 0.7}, Eigen::Vector3d(0.01, 0.02, 0.003).asDiagonal()};
   const Pose2 motion{0.8, 0.1, 0.3};

@@ -128,14 +128,15 @@ TEST_F(Model, JacobiansAreThoseOfRangeAndBearing) {
 
 TEST_F(Model, TwoSightingsTellThePlace) {
   const auto poses =
-      model().explanations(seeing({seenAt(kTruth, kPost, 0), seenAt(kTruth, kCorner, 1)}));
+      model().explanations(seeing({seenAt(kTruth, kPost, 0), seenAt(kTruth, kCorner, 1)}), false);
   EXPECT_THAT(poses, testing::Contains(PoseNear(kTruth, 1e-6, 1e-6)));
   EXPECT_LE(poses.size(), 2U);
 }
 
 TEST_F(Model, OneSightingTellsACircle) {
   const Observations seen = seeing({seenAt(kTruth, kCorner, 1)});
-  const auto poses = model().explanations(seen);
+  EXPECT_THAT(model().explanations(seen, false), IsEmpty());
+  const auto poses = model().explanations(seen, true);
   EXPECT_GT(poses.size(), 30U);
   for (const Pose2& pose : poses) {
     EXPECT_NEAR((Eigen::Vector2d(pose.x, pose.y) - kCorner).norm(), seen.landmarks->front().range,
@@ -165,7 +166,7 @@ TEST_F(Model, WhatMakesNoSenseSaysNothing) {
     const Observations seen = seeing({bad});
     EXPECT_EQ(scoreAt(kTruth, seen), 0.0) << spoil;
     EXPECT_THAT(model().linearized(seen, kTruth), IsEmpty());
-    EXPECT_THAT(model().explanations(seen), IsEmpty());
+    EXPECT_THAT(model().explanations(seen, true), IsEmpty());
     EXPECT_FALSE(model().misfit(seen, kTruth));
     EXPECT_FALSE(model().canLocalize(seen));
   }

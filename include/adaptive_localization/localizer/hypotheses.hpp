@@ -78,6 +78,10 @@ class Hypotheses {
 
   bool knows(const Pose2& T_map_base) const;
 
+  /// Whether one of them, once it is corrected, explains what senses beside the laser observed,
+  /// with a misfit below this.
+  bool explain(const Observations& observations, double most) const;
+
   /// Whether a core is in one of the places, or a step away from one, as one of the two drifted
   /// off: unless the last scan, with its mean range error where the core is, contradicts the core
   /// and fits the place far better.
@@ -173,6 +177,7 @@ class Hypotheses {
   void align(const PlaceRefiner& refiner, double usual);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 
+  Gaussian2 correctedBySenses(const Hypothesis& hypothesis, const Observations& observations) const;
   void correctBySenses(const Observations& observations);
 
   /// Of a scan, but for what other senses say. Log odds.

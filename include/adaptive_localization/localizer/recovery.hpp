@@ -87,6 +87,7 @@ class Recovery {
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
+  static constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
   static constexpr double kUnproven = 0.5;   // confidence, at the most
 

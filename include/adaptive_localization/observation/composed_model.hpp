@@ -27,7 +27,8 @@ class ComposedModel : public ObservationModel {
   std::optional<double> misfit(const Observations& observations,
                                const Pose2& T_map_base) const override;
 
-  std::vector<Pose2> explanations(const Observations& observations) const override;
+  std::vector<Pose2> explanations(const Observations& observations,
+                                  bool are_samples_asked) const override;
 
   const std::vector<std::unique_ptr<ObservationModel>>& parts() const { return parts_; }
 

@@ -74,7 +74,9 @@ class LandmarkModel : public ObservationModel {
   std::optional<double> misfit(const Observations& observations,
                                const Pose2& T_map_base) const override;
 
-  std::vector<Pose2> explanations(const Observations& observations) const override;
+  /// Of pairs of sightings; of single ones samples of the circles that they tell.
+  std::vector<Pose2> explanations(const Observations& observations,
+                                  bool are_samples_asked) const override;
 
   bool canLocalize(const Observations& observations) const override;
 

@@ -105,8 +105,12 @@ class ObservationModel {
     return std::nullopt;
   }
 
-  /// Poses that explain the observations, for observations that can localize.
-  virtual std::vector<Pose2> explanations(const Observations& /*observations*/) const { return {}; }
+  /// Poses that explain the observations, for observations that can localize: few that they tell,
+  /// or, where they tell but a curve or an area, none, unless samples of that are asked for.
+  virtual std::vector<Pose2> explanations(const Observations& /*observations*/,
+                                          bool /*are_samples_asked*/) const {
+    return {};
+  }
 };
 
 /// An observation model as it is registered.
