@@ -66,7 +66,7 @@ TEST(Reproduce, NamesWhatItKnows) {
   EXPECT_NE(unknown.exit_code, 0);
   EXPECT_THAT(unknown.errors,
               AllOf(HasSubstr("'E99'"), HasSubstr("E1 E2 E3 E4 E5 E6 E7 E8 E9 E10 E11 E12 E13 E14 "
-                                                  "E15 E16 E17")));
+                                                  "E15 E16 E17 E18")));
   const ProgramResult list = reproduce({"--list"});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_THAT(list.output, AllOf(HasSubstr("E4 "), HasSubstr("(Li 2016, T5)")));

@@ -2,11 +2,14 @@
 // What every filter must keep, whatever its name and preset.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/temp_folder.hpp"
 #include "support/toy_drive.hpp"
 
 namespace adaptive_localization {
@@ -208,6 +211,56 @@ TEST_P(EveryFilter, ListensToAHeadingWithoutAScan) {
   EXPECT_NEAR(estimate.T_map_base.x, 3.03, 0.05);
 }
 
+/// A landmark in the world, and what is sighted of it.
+class EveryFilterWithLandmarks : public testing::TestWithParam<Case> {
+ protected:
+  EveryFilterWithLandmarks() {
+    std::ofstream(file_) << "landmarks:\n  - {id: 3, at: [3.0, 1.5]}\n";
+    filter_ = makeFilter(GetParam(), 2000, 1, {{"landmark_map", file_}});
+  }
+
+  static Observations sight(const Pose2& T_map_base) {
+    const Eigen::Vector2d point = inverse(T_map_base) * Eigen::Vector2d(3.0, 1.5);
+    Observations seen;
+    seen.landmarks = {{3, point.norm(), std::atan2(point.y(), point.x()), 0.05, 0.02}};
+    return seen;
+  }
+
+  TempFolder folder_;
+  std::string file_ = folder_.file("post.yaml");
+  std::unique_ptr<Filter> filter_;
+};
+
+TEST_P(EveryFilterWithLandmarks, ListensToThemWithoutAScan) {
+  const Pose2 truth{1.0, 1.0, 0.3};
+  filter_->reset(Gaussian2{truth, Eigen::Vector3d(1e-4, 1e-4, 0.1).asDiagonal()});
+  for (int i = 0; i < 20; ++i) filter_->update({}, sight(truth));
+  EXPECT_NEAR(filter_->estimate().T_map_base.theta, truth.theta, 0.06);
+}
+
+TEST_P(EveryFilterWithLandmarks, IsSaneWhateverIsSighted) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const Pose2 truth{1.0, 1.0, 0.0};
+  filter_->reset(roughly(truth));
+  const Sighting good = sight(truth).landmarks->front();
+  for (const double odd : {nan, inf, -inf, 0.0, -1.0, 1e-300, 1e300}) {
+    for (const auto member : {&Sighting::range, &Sighting::bearing, &Sighting::range_deviation,
+                              &Sighting::bearing_deviation}) {
+      Observations seen;
+      seen.landmarks = {good, good};
+      seen.landmarks->front().*member = odd;
+      ASSERT_THAT(filter_->update({0.01, 0.0, 0.0}, seen), IsSaneEstimate()) << odd;
+    }
+  }
+  Observations nothing, unknown = sight(truth);
+  nothing.landmarks.emplace();
+  unknown.landmarks->front().id = 99;
+  for (const Observations& seen : {nothing, unknown}) {
+    ASSERT_THAT(filter_->update({0.01, 0.0, 0.0}, seen), IsSaneEstimate());
+  }
+}
+
 TEST_P(EveryFilter, FollowsOdometryWithoutAnyObservation) {
   const auto filter = makeFilter(GetParam(), 2000);
   filter->reset(Gaussian2{{3.0, 1.0, 0.5}, Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()});
@@ -241,6 +294,10 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
   return std::get<0>(info.param) + "_" + std::get<1>(info.param);
 }
 INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter,
+                         testing::Combine(testing::ValuesIn(allFilters()),
+                                          testing::Values("recommended", "seed")),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Filters, EveryFilterWithLandmarks,
                          testing::Combine(testing::ValuesIn(allFilters()),
                                           testing::Values("recommended", "seed")),
                          nameOf);
