@@ -122,7 +122,7 @@ void LandmarkSource::observe(const Pose2& T_odom_base, Observations& observation
   const auto picture = std::exchange(picture_, std::nullopt);
   if (!picture || std::abs(observations.stamp - picture->stamp.toSec()) > kOld) return;
   const Pose2 T_now_then = between(T_odom_base, picture->T_odom_base);
-  observations.landmarks.emplace();
+  if (!observations.landmarks) observations.landmarks.emplace();
   for (const Sighting& sighting : picture->sightings) {
     observations.landmarks->push_back(seenFrom(T_now_then, sighting));
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../bag/reflectors.hpp"
 #include "adaptive_localization/map/landmark_file.hpp"
 #include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
@@ -94,30 +95,34 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   const LaserScan laser_scan = toLaserScan(message);
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
-  const Scan scan = toScan(laser_scan, mount, localizer_->scanOptions(), velocity);
+  Scan scan = toScan(laser_scan, mount, localizer_->scanOptions(), velocity);
   if (scan.hits() == 0 && scan.no_return_bearing.size() == 0) {
     throw std::invalid_argument("none of its " + std::to_string(message.ranges.size()) +
                                 " ranges is valid");
   }
   places_.prepare(scan);
-  localize(stamp, *T_odom_base, scan);
+  Observations observations;
+  observations.scan = std::move(scan);
+  if (options_.reflector_intensity > 0.0 && !landmarks_.known().all().empty()) {
+    observations.landmarks = reflectorsIn(message, mount, options_.reflector_intensity);
+  }
+  localize(*T_odom_base, std::move(observations), stamp);
   return true;
 }
 
 /// Without a laser they are what the robot is localized by; else they come with the next scan.
 void LocalizationNode::onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base) {
-  if (localizer_ && !scans_.hasTopics()) localize(stamp, T_odom_base, {});
+  if (localizer_ && !scans_.hasTopics()) localize(T_odom_base, {}, stamp);
 }
 
-void LocalizationNode::localize(const ros::Time& stamp, const Pose2& T_odom_base,
-                                const Scan& scan) {
+/// By a scan, and what other senses have to add.
+void LocalizationNode::localize(const Pose2& T_odom_base, Observations observations,
+                                const ros::Time& stamp) {
   if (!odometry_watch_.goesOn(stamp, T_odom_base) && answer_) {
     ROS_WARN("Odometry jumped: starting anew around the last pose");
     startAround(*answer_);
   }
-  Observations observations;
   observations.stamp = stamp.toSec();
-  observations.scan = scan;
   headings_.observe(T_odom_base, observations);
   landmarks_.observe(T_odom_base, observations);
   const auto begin = std::chrono::steady_clock::now();
@@ -136,7 +141,7 @@ void LocalizationNode::localize(const ros::Time& stamp, const Pose2& T_odom_base
   const Match* match = scans_.hasTopics() ? localizer_->match() : nullptr;
   publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts(),
                            senses());
-  display_.show(answer, scan, match, localizer_->places(), stamp);
+  display_.show(answer, observations.scan, match, localizer_->places(), stamp);
   if (!observations.landmarks) return;
   display_.showLandmarks(landmarks_.known(), answer.T_map_base, *observations.landmarks, stamp);
 }

@@ -54,7 +54,7 @@ class LocalizationNode {
   void onMap(const Ground& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
   void onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base);
-  void localize(const ros::Time& stamp, const Pose2& T_odom_base, const Scan& scan);
+  void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
   bool onGlobalLocalization();

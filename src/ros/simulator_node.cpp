@@ -179,7 +179,7 @@ void SimulatorNode::publishImu(const ImuReading& reading) {
   message.orientation = toPoseMessage({0.0, 0.0, reading.heading.theta}).orientation;
   message.angular_velocity.z = reading.rate;
   message.linear_acceleration_covariance[0] = -1.0;
-  for (const std::size_t axis : {0, 4, 8}) {
+  for (const std::size_t axis : {0U, 4U, 8U}) {
     message.orientation_covariance[axis] = square(reading.heading.deviation);
     message.angular_velocity_covariance[axis] = square(reading.rate_deviation);
   }

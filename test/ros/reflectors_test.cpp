@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bag/reflectors.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+namespace adaptive_localization {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class Reflectors : public testing::Test {
+ protected:
+  Reflectors() {
+    scan_.angle_min = static_cast<float>(-kPi / 2);
+    scan_.angle_increment = static_cast<float>(kPi / 180);
+    scan_.range_max = 8.0F;
+    scan_.ranges.assign(181, 4.0F);
+    scan_.intensities.assign(181, 10.0F);
+  }
+
+  void shine(int from, int to, float range) {
+    for (int i = from; i <= to; ++i) {
+      scan_.intensities[static_cast<std::size_t>(i)] = 200.0F;
+      scan_.ranges[static_cast<std::size_t>(i)] = range;
+    }
+  }
+
+  sensor_msgs::LaserScan scan_;
+  LaserMount mount_;
+};
+
+TEST_F(Reflectors, AreBrightRunsOfBeams) {
+  shine(89, 91, 3.0F);
+  shine(120, 120, 2.0F);
+  const auto sightings = reflectorsIn(scan_, mount_, 100.0);
+  ASSERT_THAT(sightings, SizeIs(2));
+  EXPECT_EQ(sightings[0].id, -1);
+  EXPECT_NEAR(sightings[0].range, 3.0, 0.001);
+  EXPECT_NEAR(sightings[0].bearing, 0.0, 1e-6);
+  EXPECT_NEAR(sightings[0].bearing_deviation, 1.5 * kPi / 180, 1e-6);
+  EXPECT_NEAR(sightings[1].bearing, kPi / 6, 1e-6);
+  EXPECT_NEAR(sightings[1].bearing_deviation, kPi / 180, 1e-6);
+  EXPECT_NEAR(sightings[1].range_deviation, 0.05, 1e-9);
+}
+
+TEST_F(Reflectors, OneBehindAnotherAreTwo) {
+  shine(60, 62, 3.0F);
+  shine(63, 65, 5.0F);
+  EXPECT_THAT(reflectorsIn(scan_, mount_, 100.0), SizeIs(2));
+}
+
+TEST_F(Reflectors, AreSeenFromBase) {
+  shine(90, 90, 3.0F);
+  mount_ = LaserMount::level({0.5, 0.0, kPi / 2});
+  const auto sightings = reflectorsIn(scan_, mount_, 100.0);
+  ASSERT_THAT(sightings, SizeIs(1));
+  EXPECT_NEAR(sightings[0].range, std::hypot(0.5, 3.0), 1e-6);
+  EXPECT_NEAR(sightings[0].bearing, std::atan2(3.0, 0.5), 1e-6);
+}
+
+TEST_F(Reflectors, AreNoneWithoutIntensitiesOrRanges) {
+  EXPECT_THAT(reflectorsIn(scan_, mount_, 100.0), IsEmpty());
+  shine(80, 82, std::numeric_limits<float>::infinity());
+  shine(83, 84, std::numeric_limits<float>::quiet_NaN());
+  shine(85, 86, 20.0F);
+  EXPECT_THAT(reflectorsIn(scan_, mount_, 100.0), IsEmpty());
+  shine(90, 90, 3.0F);
+  scan_.intensities.resize(10);
+  EXPECT_THAT(reflectorsIn(scan_, mount_, 100.0), IsEmpty());
+  scan_.intensities.clear();
+  EXPECT_THAT(reflectorsIn(scan_, mount_, 100.0), IsEmpty());
+}
+
+}  // namespace
+}  // namespace adaptive_localization
