@@ -149,7 +149,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
 
 /// Kidnaps and carries; what blocks beams or disturbs a compass is looked up scan by scan.
 void ExperimentDrive::startDueEvents() {
-  if (last_scan_.ranges.empty()) return;  // nothing has begun
+  if (last_scan_.stamp == 0.0) return;  // nothing has begun
   const auto is_due = [&](const Due& due) {
     const bool is_move = due.event.what == ExperimentEvent::What::kKidnap ||
                          due.event.what == ExperimentEvent::What::kCarry;

@@ -139,6 +139,15 @@ TEST_F(Drive, TheGyroscopeTurnsWithARobotThatIsCarried) {
   EXPECT_EQ(scans.back().gyro->since, scans.front().gyro->since);
 }
 
+TEST_F(Drive, KidnapsARobotWithoutALaserToo) {
+  const auto scans = drive(
+      "duration: 3\nstart: [1, 0.6, 0]\nsimulation: {lasers: 0, drive: false}\n"
+      "events: [{what: kidnap, at: 1.5, to: [4, 0.6, 0]}]\n");
+  ASSERT_EQ(scans.size(), 30U);
+  EXPECT_TRUE(scans.front().scan.ranges.empty());
+  EXPECT_NEAR(scans.back().T_map_base->x, 4.0, 0.1);
+}
+
 TEST_F(Drive, HasNoHeadingsWithoutACompass) {
   const auto scans = drive("duration: 1\nstart: [1, 0.6, 0]\n");
   EXPECT_FALSE(scans.back().heading);
