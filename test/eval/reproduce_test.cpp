@@ -82,7 +82,7 @@ TEST(Reproduce, HasAPageForItsTables) {
     EXPECT_THAT(page, HasSubstr("<!-- " + (*at)[2].str() + " -->\n"));
     EXPECT_THAT(page, HasSubstr("<!-- end of " + (*at)[2].str() + " -->\n"));
   }
-  EXPECT_EQ(count, 17);
+  EXPECT_EQ(count, 18);
 }
 
 }  // namespace
