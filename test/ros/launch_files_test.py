@@ -69,7 +69,7 @@ class LaunchFiles(unittest.TestCase):
 
     def test_rviz_shows_the_node_by_whatever_name(self):
         own = [topic for topic in topics_shown() if topic.startswith("adaptive_localization/")]
-        self.assertEqual(len(own), 5)
+        self.assertEqual(len(own), 6)
         for config, name in [(load("amcl", "rviz:=true"), "amcl"),
                              (load("p3dx", "name:=where", "rviz:=true"), "where"),
                              (load("localization", "name:=where", "rviz:=true"), "where"),
