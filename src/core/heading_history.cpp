@@ -22,8 +22,10 @@ constexpr double kSilence = 0.5;  // s, after which nobody knows
 }
 
 template <class Readings>
-void checkStamp(const Readings& known, double stamp) {
+void checkStamp(Readings& known, double stamp) {
+  constexpr double kJump = 1.0;  // s
   if (!std::isfinite(stamp)) reject("stamp", stamp, "a number of seconds");
+  if (!known.empty() && stamp < known.back().stamp - kJump) known.clear();
   if (known.empty() || stamp > known.back().stamp) return;
   std::ostringstream last;
   last.precision(17);

@@ -20,6 +20,7 @@ constexpr double kScale = 0.1 / 15.0;       // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
+constexpr double kMostBesideScan = 7.0;  // that a sense says in all, where the laser sees as well
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
@@ -215,7 +216,8 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
     for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
       const double by_sense = told(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
-      hypothesis.hear(k, worth * by_sense, senses_->parts()[k]->mostInAll());
+      const double most = senses_->parts()[k]->mostInAll();
+      hypothesis.hear(k, worth * by_sense, is_seen ? std::min(most, kMostBesideScan) : most);
     }
     hypothesis.is_new = false;
     hypothesis.waited = 0;

@@ -61,6 +61,15 @@ TEST_F(Headings, ThatMakeNoSenseAreRefusedByName) {
   EXPECT_EQ(history_.headingAt(5.0)->heading.theta, 0.0);
 }
 
+TEST_F(Headings, OneFromTheFutureDoesNotSilenceThoseThatFollow) {
+  history_.addHeading(1e9, {1.0, 0.1});
+  history_.addRate(1e9, 1.0, 0.1);
+  history_.addHeading(5.0, {2.0, 0.1});
+  history_.addRate(5.0, 0.5, 0.1);
+  EXPECT_EQ(history_.headingAt(5.0)->heading.theta, 2.0);
+  EXPECT_NEAR(history_.turnAt(5.1)->angle, 0.05, 1e-9);
+}
+
 TEST_F(Headings, OfLongAgoAreForgotten) {
   for (int i = 0; i < 200; ++i) history_.addHeading(i, {0.0, 0.1});
   EXPECT_FALSE(history_.headingAt(100.0));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "adaptive_localization/observation/heading_prior.hpp"
+#include "adaptive_localization/observation/landmark_model.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 
@@ -72,6 +73,26 @@ TEST(Hypotheses, ACompassAloneDoesNotRuleOutWhereTheRobotWasKnownToBe) {
   hypotheses.add(twin, 0.0);
   Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
   seen.heading = Heading{kPi, 0.1};
+  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  hypotheses.prune();
+  EXPECT_GT(massOf(hypotheses, truth), 0.99);
+}
+
+TEST(Hypotheses, LandmarksThatWereMovedDoNotRuleOutWhereTheLaserKnowsTheRobot) {
+  const Pose2 truth{1.0, 1.0, 0.0};
+  const Pose2 twin{5.0, 2.0, kPi};
+  const auto map = symmetricWorld();
+  auto senses = std::make_shared<ComposedModel>();
+  senses->add(std::make_unique<LandmarkModel>(LandmarkOptions{},
+                                              LandmarkMap({{0, twin * Eigen::Vector2d(1.0, 0.0)}}),
+                                              map, std::make_shared<const DistanceField>(*map)));
+  TrackingOdds earned(true);
+  earned.earn({3.0, 0.0, 0.0});
+  Hypotheses hypotheses(Ground(map), senses);
+  hypotheses.addKept(truth, earned);
+  hypotheses.add(twin, 0.0);
+  Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(map, truth);
+  seen.landmarks = {{0, 1.0, 0.0, 0.1, 0.05}};
   for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, 1.0, kUsual);
   hypotheses.prune();
   EXPECT_GT(massOf(hypotheses, truth), 0.99);

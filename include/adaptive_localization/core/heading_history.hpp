@@ -23,7 +23,8 @@ class HeadingHistory {
 
   /// Throws std::invalid_argument naming what is wrong: a number that is not finite, a standard
   /// deviation that is not above 0 (it would be trusted without limit), a stamp that does not come
-  /// after the last one. The reading is left out then.
+  /// after the last one. The reading is left out then. One that is before the last by more than a
+  /// second begins anew: that one was from the future, or time was set back.
   void addHeading(double stamp, const Heading& heading);
 
   /// A rate in rad/s with its standard deviation. It holds until the next one; after half a second

@@ -30,6 +30,10 @@ class PlaceRefiner;
 /// where beams only end before what the map has. Unlike the modes of a particle cloud, masses of
 /// places that look the same do not drift: only what is seen decides between them.
 ///
+/// What another sense says against a place is bounded where the laser sees: a compass that is
+/// disturbed, or a landmark that was moved, stays so, and decides only between places that scans and
+/// what was known before leave open.
+///
 /// As long as one of many places is far likelier than all others, as on poor maps where each scan
 /// fits here and there, the likeliest are judged by each scan and the others in turn, by all that
 /// is new since they were: an update takes no longer for a hundred places than for ten.
