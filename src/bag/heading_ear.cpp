@@ -3,15 +3,13 @@
 
 #include <stdexcept>
 
+#include "names.hpp"
+
 namespace adaptive_localization {
 namespace {
 
-std::string withoutSlash(const std::string& name) {
-  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
-}
-
 bool areSame(const std::string& topic, const std::string& wanted) {
-  return !wanted.empty() && withoutSlash(topic) == withoutSlash(wanted);
+  return !wanted.empty() && withoutLeadingSlash(topic) == withoutLeadingSlash(wanted);
 }
 
 /// The one that the user gives, else the message's.
@@ -30,7 +28,7 @@ void HeadingEar::use(const std::string& sense, Heard& heard, const Message& mess
                      const Use& how) {
   ++heard.received;
   try {
-    const std::string frame = withoutSlash(message.header.frame_id);
+    const std::string frame = withoutLeadingSlash(message.header.frame_id);
     if (frame.empty()) throw std::invalid_argument("its frame_id is empty");
     how(rotation_of_(frame));
   } catch (const std::exception& error) {  // of tf2 as well

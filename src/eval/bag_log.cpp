@@ -63,7 +63,7 @@ std::string choose(const std::string& wanted, const TopicKind& kind, const Types
                                 kind.argument + ": " + join(candidates));
   }
   for (const auto& topic : candidates) {
-    if (withoutSlash(topic) == withoutSlash(wanted)) return topic;
+    if (withoutLeadingSlash(topic) == withoutLeadingSlash(wanted)) return topic;
   }
   throw std::invalid_argument(kind.argument + ": got '" + wanted + "', expected a topic with " +
                               kind.what + " of this bag: " + join(candidates));
@@ -146,7 +146,7 @@ class BagReader {
   }
 
   bool isOfUse(const std::string& topic) const {
-    const std::string name = withoutSlash(topic);
+    const std::string name = withoutLeadingSlash(topic);
     return name == "tf" || name == "tf_static" || topic == scan_topic_ || topic == odom_topic_ ||
            topic == truth_topic_;
   }
@@ -157,7 +157,7 @@ class BagReader {
     for (const auto& topic :
          {wanted.imu_topic, wanted.magnetic_field_topic, wanted.heading_topic}) {
       const auto is_it = [&](const auto& entry) {
-        return withoutSlash(entry.first) == withoutSlash(topic);
+        return withoutLeadingSlash(entry.first) == withoutLeadingSlash(topic);
       };
       if (topic.empty() || std::any_of(types_.begin(), types_.end(), is_it)) continue;
       log_.warnings.push_back("no topic '" + topic + "' with headings in this bag");

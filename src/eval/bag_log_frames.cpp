@@ -30,14 +30,10 @@ Eigen::Matrix3d rotation(const geometry_msgs::Quaternion& q) {
 
 }  // namespace
 
-std::string withoutSlash(const std::string& name) {
-  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
-}
-
 void BagFrames::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (auto transform : message.transforms) {
-    transform.header.frame_id = withoutSlash(transform.header.frame_id);
-    transform.child_frame_id = withoutSlash(transform.child_frame_id);
+    transform.header.frame_id = withoutLeadingSlash(transform.header.frame_id);
+    transform.child_frame_id = withoutLeadingSlash(transform.child_frame_id);
     try {
       if (!buffer_.setTransform(transform, kAuthority, is_static)) ++refused_;
     } catch (const std::runtime_error&) {  // a stamp too large for ros::Time's arithmetic
@@ -63,7 +59,7 @@ std::vector<BagFrames::PlacedScan> BagFrames::finish() {
 }
 
 Eigen::Matrix3d BagFrames::rotationOf(const std::string& frame) const {
-  const std::string base = withoutSlash(frames_.base_frame_id);
+  const std::string base = withoutLeadingSlash(frames_.base_frame_id);
   return rotation(buffer_.lookupTransform(base, frame, ros::Time(0)).transform.rotation);
 }
 
@@ -76,7 +72,7 @@ void BagFrames::placeWaiting(bool is_last_chance) {
 
     PlacedScan placed;
     placed.scan.scan = toPlainScan(message);
-    placed.frame = withoutSlash(message.header.frame_id);
+    placed.frame = withoutLeadingSlash(message.header.frame_id);
     placed.has_odometry = T_odom_base.has_value();
     placed.scan.T_odom_base = T_odom_base.value_or(Pose2{});
     mount(placed, stamp);
@@ -97,8 +93,8 @@ std::optional<geometry_msgs::Transform> BagFrames::lookUp(const std::string& tar
 }
 
 std::optional<Pose2> BagFrames::odometryAt(const ros::Time& stamp) const {
-  const auto transform =
-      lookUp(withoutSlash(frames_.odom_frame_id), withoutSlash(frames_.base_frame_id), stamp);
+  const auto transform = lookUp(withoutLeadingSlash(frames_.odom_frame_id),
+                                withoutLeadingSlash(frames_.base_frame_id), stamp);
   if (!transform) return {};
   const Eigen::Matrix3d axes = rotation(transform->rotation);
   const Pose2 pose{transform->translation.x, transform->translation.y,
@@ -107,7 +103,7 @@ std::optional<Pose2> BagFrames::odometryAt(const ros::Time& stamp) const {
 }
 
 void BagFrames::mount(PlacedScan& placed, const ros::Time& stamp) const {
-  const std::string base = withoutSlash(frames_.base_frame_id);
+  const std::string base = withoutLeadingSlash(frames_.base_frame_id);
   placed.has_mount = placed.frame == base;
   if (placed.has_mount) return;
   for (const ros::Time& instant : {stamp, ros::Time(0)}) {  // 0: the latest there is

@@ -11,12 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "../bag/names.hpp"
 #include "adaptive_localization/eval/log.hpp"
 
 namespace adaptive_localization {
-
-/// Frame and topic names are compared without the leading slash of ROS's early days.
-std::string withoutSlash(const std::string& name);
 
 /// Gives each scan of a bag its odometry and mount from the transforms around it, as the bag's
 /// messages come by in the order of recording.

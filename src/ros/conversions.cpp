@@ -59,10 +59,6 @@ constexpr std::array<std::size_t, 3> kAxes{0, 1, 5};
 
 }  // namespace
 
-std::string withoutLeadingSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
-
 void checkPlace(const std::string& frame, const std::string& parent, double x, double y,
                 double most) {
   if (std::abs(x) <= most && std::abs(y) <= most) return;

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "../bag/names.hpp"
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/pose2.hpp"
@@ -17,9 +18,6 @@
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
-
-/// tf2's frames have no leading slash; some drivers still send one.
-std::string withoutLeadingSlash(const std::string& frame);
 
 /// Throws std::runtime_error naming all of these unless a frame is within so many metres of its
 /// parent.
