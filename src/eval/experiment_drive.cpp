@@ -130,6 +130,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
     Sensed sensed = simulation_.step();
     if (sensed.imu) hear(*sensed.imu);
     if (sensed.picture) picture_ = std::move(sensed.picture->sightings);
+    for (const Ping& ping : sensed.pings) hear(ping);
     if (has_mission_) mission_.observe(simulation_, sensed.scan.has_value());
     if (!sensed.scan) continue;
     last_scan_ = *sensed.scan;
@@ -140,6 +141,7 @@ std::optional<DriveScan> ExperimentDrive::next() {
     }
     T_odom_last_scan_ = scan.T_odom_base;
     scan.landmarks = std::exchange(picture_, std::nullopt);
+    scan.sonar = heardBefore(scan.T_odom_base);
     scan.put_down = put_down_;
     put_down_.reset();
     return scan;
@@ -196,6 +198,7 @@ void ExperimentDrive::putDown() {
   T_odom_wheels_ = T_odom_base * inverse(simulation_.odometry().T_odom_base);
   put_down_ = time();
   carry_.reset();
+  pings_.clear();
 }
 
 }  // namespace adaptive_localization

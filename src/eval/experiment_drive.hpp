@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "adaptive_localization/core/heading_history.hpp"
 #include "adaptive_localization/eval/experiment_site.hpp"
@@ -18,6 +20,7 @@ struct DriveScan {
   std::optional<Heading> heading;                  // of the simulated compass, if there is one
   std::optional<GyroTurn> gyro;                    // and gyroscope
   std::optional<std::vector<Sighting>> landmarks;  // of the camera, if it took a picture just now
+  std::vector<SonarReading> sonar;                 // since the scan before
   std::optional<Pose2> T_map_base;                 // none while the robot is off the floor
   bool is_lifted{false};                           // it was, since the scan before
   std::optional<double> put_down;                  // s, when it was put down, since the scan before
@@ -62,6 +65,7 @@ class ExperimentDrive {
   BaseVelocity velocityUntil(const Pose2& T_odom_base) const;
   void hear(const ImuReading& reading);
   void carryGyroscope();
+  bool isOn(const Due& due, ExperimentEvent::What what) const;
   double compassError() const;
   void startDueEvents();
   void start(const ExperimentEvent& event);
@@ -69,7 +73,10 @@ class ExperimentDrive {
   void putDown();
   DriveScan sight(LaserScan scan) const;
   LaserScan blocked(LaserScan scan);
+  LaserScan handBefore(LaserScan scan, bool is_garbage);
   LaserScan carriedReadings();
+  void hear(const Ping& ping);
+  std::vector<SonarReading> heardBefore(const Pose2& T_odom_base);
 
   std::shared_ptr<const FreeSpace> free_space_;
   Simulation simulation_;
@@ -81,6 +88,7 @@ class ExperimentDrive {
   double carried_{0.0};  // s in all
   HeadingHistory headings_;
   std::optional<std::vector<Sighting>> picture_;  // since the last scan
+  std::vector<std::pair<Pose2, Ping>> pings_;     // since the last scan, with T_odom_base
   Pose2 T_odom_wheels_;  // odometry as told, from the wheels' own: the gyro turned while carried
   std::optional<double> put_down_;
   LaserScan last_scan_;

@@ -48,6 +48,7 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   observations.heading = seen.heading;
   observations.gyro = seen.gyro;
   observations.landmarks = seen.landmarks;
+  observations.sonar = seen.sonar;
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
   judged.update_ms = watch.milliseconds();

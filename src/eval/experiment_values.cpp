@@ -140,8 +140,9 @@ ExperimentEvent readEvent(const YamlValue& value) {
   const std::map<std::string, What> kinds{{"kidnap", What::kKidnap},
                                           {"carry", What::kCarry},
                                           {"block", What::kBlock},
+                                          {"cover", What::kCover},
                                           {"disturb", What::kDisturb}};
-  event.what = kinds.at(value.at("what").oneOf({"kidnap", "carry", "block", "disturb"}));
+  event.what = kinds.at(value.at("what").oneOf({"kidnap", "carry", "block", "cover", "disturb"}));
   std::set<std::string> keys{"what", "at", "every"};
   if (event.what == What::kBlock) {
     keys.insert({"for", "share", "pattern"});
@@ -149,6 +150,8 @@ ExperimentEvent readEvent(const YamlValue& value) {
     if (value.has("pattern")) {
       event.is_sector = value.at("pattern").oneOf({"scattered", "sector"}) == "sector";
     }
+  } else if (event.what == What::kCover) {
+    keys.insert("for");
   } else if (event.what == What::kDisturb) {
     keys.insert({"for", "turned_by"});
     event.turned_by = value.at("turned_by").number({-kPi, kPi});

@@ -7,6 +7,7 @@
 #include "adaptive_localization/observation/landmark_model.hpp"
 #include "adaptive_localization/observation/likelihood_field.hpp"
 #include "adaptive_localization/observation/range_models.hpp"
+#include "adaptive_localization/observation/sonar_model.hpp"
 #include "builtin_filters.hpp"
 #include "observation/thick_walls_field.hpp"
 
@@ -94,6 +95,11 @@ void addSenses(Registry<ObservationDescription>& senses) {
                 return std::make_unique<LandmarkModel>(given.read<LandmarkOptions>(), map, field);
               },
               describe(LandmarkOptions{})});
+  senses.add({"sonar", "What echoes of sonars say.",
+              [](const Parameters& given, const MapPtr& map, const FieldPtr& field) {
+                return std::make_unique<SonarModel>(given.read<SonarOptions>(), map, field);
+              },
+              describe(SonarOptions{})});
 }
 
 void addResamplings(Registry<ResamplingDescription>& resamplings) {

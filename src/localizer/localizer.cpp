@@ -121,6 +121,7 @@ void Localizer::reset(const Prior& prior) {
   is_anywhere_ = std::holds_alternative<Anywhere>(prior);
   if (!is_anywhere_) compass_.reset();  // what was learned elsewhere may be wrong
   gyroscope_.restart();
+  sonars_.forget();
   T_odom_base_at_update_.reset();
   last_ = {};
   last_.status = Status::kGlobalizing;
@@ -168,9 +169,11 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   const bool first = !T_odom_base_at_update_;
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   gyroscope_.observe(T_odom_base, observations);
+  sonars_.hear(T_odom_base, observations);
   if (first || update_requested_ || gateOpens(by_wheels, observations)) {
     const Pose2 slip = gyroscope_.slipDuring(by_wheels);
-    updateBelief(by_wheels * slip, observations);
+    updateBelief(by_wheels * slip, T_odom_base, observations);
+    sonars_.forget();
     const Pose2& T_map_core = last_.estimate.T_map_base;
     const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base * slip;
     const Pose2 T_map_base =
@@ -180,7 +183,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     conclude(T_map_base);
     update_requested_ = false;
   } else if (recovery_->isUnverified(observations)) {  // even where the robot stands still
-    recovery_->verify(last_.estimate, withHeadingInMap(observations));
+    recovery_->verify(last_.estimate, forCores(T_odom_base, observations));
     conclude(last_.T_map_odom * *T_odom_base_at_update_);
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
@@ -194,15 +197,17 @@ bool Localizer::gateOpens(const Pose2& motion, const Observations& observations)
   return recovery_->isContradicted(last_.estimate.T_map_base * motion, observations.scan);
 }
 
-/// Cores and Recovery know one frame, the map's.
-Observations Localizer::withHeadingInMap(Observations observations) const {
+/// Cores and Recovery know one frame, the map's, and sonars that all have been heard.
+Observations Localizer::forCores(const Pose2& T_odom_base, Observations observations) const {
   observations.heading = compass_.inMap(observations.heading);
+  observations.sonar = sonars_.readingsFrom(T_odom_base);
   return observations;
 }
 
-void Localizer::updateBelief(const Pose2& motion, const Observations& observations) {
+void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
+                             const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
-  const Observations on_map = withHeadingInMap(observations);
+  const Observations on_map = forCores(T_odom_base, observations);
   last_.estimate = askCore(motion, on_map);
   recovery_->observe(motion, T_map_base_expected, last_.estimate, on_map);
   if (observations.heading && recovery_->knowsByScans()) {
@@ -214,11 +219,16 @@ void Localizer::updateBelief(const Pose2& motion, const Observations& observatio
 }
 
 /// What the core makes of motion and observations, refined by a match. Where the localizer
-/// recovers, what stands before the laser is kept from the core.
+/// recovers, what stands before the laser is kept from the core, and from any core a covered laser
+/// where other senses tell.
 Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   Observations seen = observations;
-  if (setup_.options.recovery) seen.scan = recovery_->evidenceOf(T_map_base_expected, seen.scan);
+  if (setup_.options.recovery) {
+    seen.scan = recovery_->evidenceOf(T_map_base_expected, seen.scan);
+  } else if (recovery_->canReplaceScan(observations)) {
+    seen.scan = {};
+  }
   const Estimate estimate = finite(filter_->update(motion, seen));
   const bool is_refined = refiner_ && !filter_->match();
   const Estimate answer = is_refined ? refiner_->refine(estimate, motion, seen) : estimate;

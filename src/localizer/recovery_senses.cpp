@@ -15,6 +15,10 @@ Observations Recovery::withoutCover(const Observations& observations) {
   return rest;
 }
 
+bool Recovery::canReplaceScan(const Observations& observations) const {
+  return isCovered(observations.scan) && senses_->canLocalize(observations);
+}
+
 /// Whether a scan, or another sense without one, tells where the robot is.
 bool Recovery::tells(const Observations& observations) const {
   return observations.scan.hits() > 0 || senses_->canLocalize(observations);

@@ -10,7 +10,17 @@ namespace adaptive_localization {
 namespace {
 
 /// Streams of randomness, one per part, so that more people do not change the laser's noise.
-enum Stream : std::uint64_t { kPlaces, kWheels, kBeams, kWalks, kRoute, kMoreBeams, kImu, kCamera };
+enum Stream : std::uint64_t {
+  kPlaces,
+  kWheels,
+  kBeams,
+  kWalks,
+  kRoute,
+  kMoreBeams,
+  kImu,
+  kCamera,
+  kSonars
+};
 
 Pose2 parsePose(const std::string& text) {
   std::istringstream in(text);
@@ -67,6 +77,7 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       laser_mounts_(adaptive_localization::laserMounts(options.laser)),
       imu_(options.imu, rng_.split(kImu)),
       camera_(options.camera, site.landmarks, rng_.split(kCamera)),
+      sonars_(options.sonars, rng_.split(kSonars)),
       people_(free_space_, options.people, rng_.split(kWalks)),
       driver_(free_space_, site.route, options.route, options.base.base == "omni",
               rng_.split(kRoute)),
@@ -74,7 +85,8 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
       T_map_base_(start_),
       scans_(options.scan_rate),
       readings_(options.odom_rate),
-      pictures_(options.camera.camera_rate) {
+      pictures_(options.camera.camera_rate),
+      pings_(1.0 / options.sonars.sonar_period) {
   if (options.camera.camera && site.landmarks.empty()) {
     throw std::invalid_argument(
         "option 'camera': got true, expected false in a world without landmarks");
@@ -119,6 +131,7 @@ Sensed Simulation::step() {
   if (options_.imu.imu) sensed.imu = imu_.read(time(), T_map_base_.theta, base_.velocity().turn);
   if (const auto due = pictures_.beat(time()); due && hasCamera())
     sensed.picture = takePicture(*due);
+  if (const auto due = pings_.beat(time()); due && hasSonars()) sensed.pings = ping(*due);
   if (const auto due = scans_.beat(time())) scan(*due);
   if (!on_the_wire_.empty() && on_the_wire_.front().scan->stamp <= time() + kStep / 2.0) {
     sensed.scan = std::move(on_the_wire_.front().scan);
@@ -170,18 +183,28 @@ double Simulation::rangeTo(const Pose2& T_map_ray, double max_range) const {
   return people_.range(T_map_ray, world_->range(T_map_ray, max_range));
 }
 
+/// On the arc that is driven now.
+Pose2 Simulation::poseAt(double time) const {
+  return T_map_base_ * arc(base_.velocity(), time - this->time());
+}
+
 Picture Simulation::takePicture(double time) {
-  const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
-  return {time, camera_.sight(T_map_base, [this](const Pose2& T_map_ray, double max_range) {
+  return {time, camera_.sight(poseAt(time), [this](const Pose2& T_map_ray, double max_range) {
             return rangeTo(T_map_ray, max_range);
           })};
+}
+
+std::vector<Ping> Simulation::ping(double time) {
+  return sonars_.ping(time, poseAt(time), [this](const Pose2& T_map_ray, double max_range) {
+    return rangeTo(T_map_ray, max_range);
+  });
 }
 
 void Simulation::scan(double time) {
   const auto cast = [this](const Pose2& T_map_ray, double max_range) {
     return rangeTo(T_map_ray, max_range);
   };
-  const Pose2 T_map_base = T_map_base_ * arc(base_.velocity(), time - this->time());
+  const Pose2 T_map_base = poseAt(time);
   std::vector<LaserScan> scans;
   for (Laser& laser : lasers_) {
     scans.push_back(laser.scan(T_map_base, cast, base_.velocity()));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "adaptive_localization/core/pose2.hpp"
 #include "adaptive_localization/core/scan.hpp"
 
 namespace adaptive_localization {
@@ -32,6 +33,15 @@ struct Sighting {
   double bearing_deviation{0.0};  // and rad
 };
 
+/// What one of a robot's sonars heard of its ping.
+struct SonarReading {
+  int sonar{0};           // which one
+  Pose2 T_base_sonar{};   // where it pinged, its axis along x, from where base is now
+  double range{0.0};      // m to what echoed first; infinity: nothing did
+  double max_range{0.0};  // m, from which no echo is heard
+  double view{0.0};       // angle of its cone, half of it on each side of the axis, rad
+};
+
 /// All that was sensed at one instant. What was not sensed is empty.
 struct Observations {
   double stamp{0.0};  // s
@@ -39,6 +49,7 @@ struct Observations {
   std::optional<Heading> heading{};
   std::optional<GyroTurn> gyro{};
   std::optional<std::vector<Sighting>> landmarks{};  // none in sight is an observation too
+  std::vector<SonarReading> sonar{};                 // of late
 };
 
 }  // namespace adaptive_localization

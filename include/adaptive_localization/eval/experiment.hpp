@@ -31,11 +31,11 @@ struct WrongStart {
 
 /// Something that happens to the robot, again every so many seconds if asked for.
 struct ExperimentEvent {
-  enum class What { kKidnap, kCarry, kBlock, kDisturb };
+  enum class What { kKidnap, kCarry, kBlock, kCover, kDisturb };
 
   What what{What::kKidnap};
   double at{0.0};          // s
-  double duration{0.0};    // s, of a carry, a block or a disturbance
+  double duration{0.0};    // s, but of a kidnap
   double every{0.0};       // s; 0: once
   Spot to;                 // of a kidnap or a carry
   double turned_by{0.0};   // rad, by which a disturbed compass is off

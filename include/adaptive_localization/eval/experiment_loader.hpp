@@ -31,6 +31,7 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 ///       - {what: kidnap, at: 12, every: 15, to: random}
 ///       - {what: carry, at: 12, for: 3, to: random, laser: garbage}       # or blocked
 ///       - {what: block, at: 10, for: 20, share: 0.3, pattern: sector}     # or scattered
+///       - {what: cover, at: 10, for: 30}   # the laser, by a hand
 ///       - {what: disturb, at: 10, for: 60, turned_by: 1.57}   # rad, the compass; simulation.imu
 ///     success: {position: 0.15, heading: 5, scans: 3, within: 1}   # m, degrees; s, any
 ///     bounds: true                  # with Cramér-Rao bounds of the error, see error_bound.hpp

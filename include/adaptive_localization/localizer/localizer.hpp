@@ -11,6 +11,7 @@
 #include "adaptive_localization/localizer/gyroscope.hpp"
 #include "adaptive_localization/localizer/recovery.hpp"
 #include "adaptive_localization/localizer/setup.hpp"
+#include "adaptive_localization/localizer/sonar_ring.hpp"
 #include "adaptive_localization/match/match.hpp"
 
 namespace adaptive_localization {
@@ -100,8 +101,9 @@ class Localizer {
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
-  Observations withHeadingInMap(Observations observations) const;
-  void updateBelief(const Pose2& motion, const Observations& observations);
+  Observations forCores(const Pose2& T_odom_base, Observations observations) const;
+  void updateBelief(const Pose2& motion, const Pose2& T_odom_base,
+                    const Observations& observations);
   Estimate askCore(const Pose2& motion, const Observations& observations);
   void moveBelief();
   void conclude(const Pose2& T_map_base);
@@ -114,6 +116,7 @@ class Localizer {
   std::optional<Recovery> recovery_;
   Compass compass_;
   Gyroscope gyroscope_;
+  SonarRing sonars_;
 
   bool is_anywhere_{false};  // was reset so, and not tracked since
   bool update_requested_{false};

@@ -44,6 +44,9 @@ class Recovery {
   /// looked for by it.
   Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
+  /// Whether the laser is covered, and other senses tell where the robot is.
+  bool canReplaceScan(const Observations& observations) const;
+
   /// Whether a scan contradicts the map at a pose, so that it is worth an update.
   bool isContradicted(const Pose2& T_map_base, const Scan& scan) const {
     return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction;

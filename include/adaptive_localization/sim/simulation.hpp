@@ -13,6 +13,7 @@
 #include "adaptive_localization/sim/laser.hpp"
 #include "adaptive_localization/sim/people.hpp"
 #include "adaptive_localization/sim/route_follower.hpp"
+#include "adaptive_localization/sim/sonars.hpp"
 #include "adaptive_localization/sim/wheel_odometry.hpp"
 
 namespace adaptive_localization {
@@ -34,6 +35,7 @@ struct SimulationOptions {
   LaserOptions laser;
   ImuOptions imu;
   CameraOptions camera;
+  SonarsOptions sonars;
   RouteOptions route;
 
   template <class Visitor>
@@ -57,6 +59,7 @@ struct SimulationOptions {
     laser.visit(option);
     imu.visit(option);
     camera.visit(option);
+    sonars.visit(option);
     route.visit(option);
   }
 
@@ -83,6 +86,7 @@ struct Sensed {
   std::optional<OdometryReading> odometry;
   std::optional<ImuReading> imu;
   std::optional<Picture> picture;
+  std::vector<Ping> pings;
 };
 
 /// When something that comes at a rate is due: k / rate, k = 1, 2 and so on, s.
@@ -130,6 +134,10 @@ class Simulation {
 
   bool hasImu() const { return options_.imu.imu; }
   bool hasCamera() const { return options_.camera.camera; }
+  bool hasSonars() const { return options_.sonars.sonars; }
+
+  /// What a ping tells, from where its sonar is on the robot.
+  SonarReading reading(const Ping& ping) const { return sonars_.reading(ping); }
 
   /// Turns what the compass tells by an angle in rad, from now on.
   void disturbCompass(double angle) { imu_.disturb(angle); }
@@ -151,6 +159,8 @@ class Simulation {
   bool blocks(const Pose2& T_map_next) const;
   void scan(double time);
   Picture takePicture(double time);
+  std::vector<Ping> ping(double time);
+  Pose2 poseAt(double time) const;
   double rangeTo(const Pose2& T_map_ray, double max_range) const;
 
   SimulationOptions options_;
@@ -163,6 +173,7 @@ class Simulation {
   std::vector<Laser> lasers_;
   Imu imu_;
   Camera camera_;
+  Sonars sonars_;
   People people_;
   RouteFollower driver_;
   Pose2 start_;
@@ -170,7 +181,7 @@ class Simulation {
   std::optional<Pose2> T_map_odom_;  // as it is localized
   std::int64_t ticks_{0};
   double commanded_at_{-1e9};
-  Metronome scans_, readings_, pictures_;
+  Metronome scans_, readings_, pictures_, pings_;
   std::deque<Sensed> on_the_wire_;  // scans taken but not yet delivered
 };
 
