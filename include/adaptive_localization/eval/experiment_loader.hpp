@@ -27,7 +27,7 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 ///                                   #   off_by: [x, y] is so far along a line, either way
 ///     simulation: {people: 2}       # options of p3dx_simulator; drive is on
 ///     duration: 42                  # s
-///     events:                       # of four kinds; with every: s, again and again
+///     events:                       # of five kinds; with every: s, again and again
 ///       - {what: kidnap, at: 12, every: 15, to: random}
 ///       - {what: carry, at: 12, for: 3, to: random, laser: garbage}       # or blocked
 ///       - {what: block, at: 10, for: 20, share: 0.3, pattern: sector}     # or scattered
