@@ -64,6 +64,7 @@ Log readLog(const ReplayCommand& command) {
   LogRequest request = command.log;
   request.frames = command.parameters.read<FrameOptions>();
   request.headings = command.parameters.read<HeadingTopics>();
+  request.sonars = command.parameters.read<SonarTopics>();
   Log log = adaptive_localization::readLog(request);
   if (!command.truth_file.empty()) setReference(loadTum(command.truth_file, log.warnings), log);
   return log;

@@ -10,6 +10,8 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/MagneticField.h>
+#include <sensor_msgs/PointCloud.h>
+#include <sensor_msgs/Range.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <functional>
@@ -17,6 +19,7 @@
 #include <utility>
 
 #include "bag_record.hpp"
+#include "sonar_array.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -48,7 +51,10 @@ const std::map<std::string, Type>& types() {
                                                typeOf<geometry_msgs::PoseWithCovarianceStamped>(),
                                                typeOf<sensor_msgs::Imu>(),
                                                typeOf<sensor_msgs::MagneticField>(),
-                                               typeOf<geometry_msgs::QuaternionStamped>()};
+                                               typeOf<geometry_msgs::QuaternionStamped>(),
+                                               typeOf<sensor_msgs::Range>(),
+                                               typeOf<sensor_msgs::PointCloud>(),
+                                               typeOf<SonarArray>()};
   return all;
 }
 

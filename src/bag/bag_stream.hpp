@@ -33,8 +33,8 @@ struct BagMessage {
   }
 };
 
-/// The laser scans, transforms, odometry and poses of a bag, in the order of recording but for what
-/// is on /tf_static, which comes first, whenever it was recorded.
+/// The laser scans, transforms, odometry, poses and what other senses tell of a bag, in the order
+/// of recording but for what is on /tf_static, which comes first, whenever it was recorded.
 ///
 /// A damaged bag can crash the library that reads bags, or keep it busy for ever: so that works in
 /// a process of its own, which is born with the stream. Best before there are threads.

@@ -8,15 +8,10 @@
 #include <string>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/refusal.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-[[noreturn]] void reject(const std::string& what, double value, const std::string& expected) {
-  std::ostringstream text;
-  text << what << ": got " << value << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
 
 Eigen::Matrix3d toRotation(const geometry_msgs::Quaternion& message) {
   const Eigen::Quaterniond rotation(message.w, message.x, message.y, message.z);

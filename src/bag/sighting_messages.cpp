@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "adaptive_localization/core/refusal.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -28,19 +30,13 @@ const std::vector<float>& neededChannel(const sensor_msgs::PointCloud& message,
   throw std::invalid_argument("it has no channel '" + name + "'");
 }
 
-[[noreturn]] void reject(const std::string& what, double value, const std::string& expected) {
-  std::ostringstream text;
-  text << what << " of a landmark: got " << value << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
-
 void checkDeviation(const std::string& what, double value) {
-  if (!(value > 0.0 && std::isfinite(value))) reject(what, value, "one above 0");
+  if (!(value > 0.0 && std::isfinite(value))) reject(what + " of a landmark", value, "one above 0");
 }
 
 int toId(double value) {
   if (!(value >= -1.0 && value < 1e7 && value == std::floor(value))) {
-    reject("id", value, "a whole number from -1 on");
+    reject("id of a landmark", value, "a whole number from -1 on");
   }
   return static_cast<int>(value);
 }
@@ -91,7 +87,8 @@ std::vector<Sighting> toSightings(const sensor_msgs::PointCloud& message,
     const auto& point = message.points[i];
     try {
       const Eigen::Vector3d in_base = T_base_sensor * Eigen::Vector3d(point.x, point.y, point.z);
-      if (!(in_base.norm() < kMostReach)) reject("place", in_base.norm(), "at most 10 km away");
+      if (!(in_base.norm() < kMostReach))
+        reject("place of a landmark", in_base.norm(), "at most 10 km away");
       checkDeviation("range_std", range_std[i]);
       checkDeviation("bearing_std", bearing_std[i]);
       const Eigen::Vector2d in_sensor = flat.inverse() * Eigen::Vector2d(in_base.head<2>());

@@ -9,17 +9,12 @@
 #include <string>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "adaptive_localization/core/refusal.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr double kSilence = 0.5;  // s, after which nobody knows
-
-[[noreturn]] void reject(const std::string& what, double value, const std::string& expected) {
-  std::ostringstream text;
-  text << what << ": got " << value << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
 
 template <class Readings>
 void checkStamp(Readings& known, double stamp) {

@@ -15,6 +15,8 @@
 
 #include "../bag/bag_stream.hpp"
 #include "../bag/heading_ear.hpp"
+#include "../bag/sonar_ear.hpp"
+#include "adaptive_localization/core/name_list.hpp"
 #include "bag_log_frames.hpp"
 
 namespace adaptive_localization {
@@ -108,9 +110,16 @@ class BagReader {
         frames_(request.frames),
         ear_(
             request.headings,
-            [this](const std::string& frame) { return frames_.rotationOf(frame); },
+            [this](const std::string& frame) -> Eigen::Matrix3d {
+              return frames_.placeOf(frame).linear();
+            },
             [this](const std::string& sense, const std::string& why) {
               complaints_.insert({sense, why});
+            }),
+        sonars_(
+            request.sonars, [this](const std::string& frame) { return frames_.placeOf(frame); },
+            [this](const std::string& why) {
+              complaints_.insert({"sonars", why});
             }) {
     ear_.history() = HeadingHistory(std::numeric_limits<double>::infinity());
   }
@@ -123,12 +132,14 @@ class BagReader {
     if (!request_.truth_topic.empty()) {
       truth_topic_ = choose(request_.truth_topic, kReference, types_);
     }
-    checkHeadings();
+    checkSenses();
     readMessages();
     warnOfDropped("compass", ear_.headings());
     warnOfDropped("gyroscope", ear_.rates());
+    warnOfDropped("sonars", sonars_.heard());
     takeScans();
     for (auto& scan : log_.scans) addHeading(scan);
+    addRounds();
     if (!truth_topic_.empty()) setReference(Trajectory(std::move(reference_)), log_);
     return std::move(log_);
   }
@@ -138,7 +149,9 @@ class BagReader {
   void readMessages() {
     while (const auto message = stream_.next()) {
       if (isOfUse(message->topic)) take(*message);
-      if (!message->is_broken) ear_.hear(*message);
+      if (message->is_broken) continue;
+      ear_.hear(*message);
+      if (auto round = sonars_.hear(*message)) rounds_.push_back(std::move(*round));
     }
     if (!stream_.whyStopped().empty()) {
       log_.warnings.push_back("reading stopped early: " + stream_.whyStopped());
@@ -152,16 +165,21 @@ class BagReader {
   }
 
   /// A topic that the bag does not have is a slip, as a parameter that nobody knows.
-  void checkHeadings() {
+  void checkSenses() {
     const HeadingTopics& wanted = request_.headings;
     for (const auto& topic :
          {wanted.imu_topic, wanted.magnetic_field_topic, wanted.heading_topic}) {
-      const auto is_it = [&](const auto& entry) {
-        return withoutLeadingSlash(entry.first) == withoutLeadingSlash(topic);
-      };
-      if (topic.empty() || std::any_of(types_.begin(), types_.end(), is_it)) continue;
-      log_.warnings.push_back("no topic '" + topic + "' with headings in this bag");
+      if (!topic.empty()) checkTopic(topic, "headings");
     }
+    for (const auto& topic : namesIn(request_.sonars.sonar_topics)) checkTopic(topic, "sonars");
+  }
+
+  void checkTopic(const std::string& topic, const std::string& what) {
+    const bool is_there = std::any_of(types_.begin(), types_.end(), [&](const auto& entry) {
+      return withoutLeadingSlash(entry.first) == withoutLeadingSlash(topic);
+    });
+    if (!is_there)
+      log_.warnings.push_back("no topic '" + topic + "' with " + what + " in this bag");
   }
 
   void addHeading(LogScan& scan) const {
@@ -169,6 +187,25 @@ class BagReader {
       scan.heading = reading->heading;
     }
     scan.gyro = ear_.history().turnAt(scan.scan.stamp);
+  }
+
+  /// What sonars heard between two scans is told with the second one, from where the robot is then.
+  void addRounds() {
+    constexpr double kLongestGap = 1.0;  // s
+    std::vector<StampedPose> poses;
+    for (const LogScan& scan : log_.scans) poses.push_back({scan.scan.stamp, scan.T_odom_base});
+    const Trajectory odometry(std::move(poses));
+    for (const SonarRound& round : rounds_) {
+      const auto T_odom_then = odometry.at(round.stamp, kLongestGap);
+      const auto scan = std::find_if(log_.scans.begin(), log_.scans.end(), [&](const auto& one) {
+        return one.scan.stamp >= round.stamp;
+      });
+      if (!T_odom_then || scan == log_.scans.end()) continue;
+      for (SonarReading reading : round.readings) {
+        reading.T_base_sonar = between(scan->T_odom_base, *T_odom_then) * reading.T_base_sonar;
+        scan->sonar.push_back(reading);
+      }
+    }
   }
 
   void warnOfDropped(const std::string& sense, const Heard& heard) {
@@ -242,6 +279,8 @@ class BagReader {
   const Types& types_;
   BagFrames frames_;
   HeadingEar ear_;
+  SonarEar sonars_;
+  std::vector<SonarRound> rounds_;
   std::map<std::string, std::string> complaints_;  // of each sense, the first
   std::string scan_topic_, odom_topic_, truth_topic_;
   std::vector<StampedPose> odometry_, reference_;

@@ -58,9 +58,14 @@ std::vector<BagFrames::PlacedScan> BagFrames::finish() {
   return std::move(placed_);
 }
 
-Eigen::Matrix3d BagFrames::rotationOf(const std::string& frame) const {
+Eigen::Isometry3d BagFrames::placeOf(const std::string& frame) const {
   const std::string base = withoutLeadingSlash(frames_.base_frame_id);
-  return rotation(buffer_.lookupTransform(base, frame, ros::Time(0)).transform.rotation);
+  const auto transform = buffer_.lookupTransform(base, frame, ros::Time(0)).transform;
+  const auto& t = transform.translation;
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  place.linear() = rotation(transform.rotation);
+  place.translation() = Eigen::Vector3d(t.x, t.y, t.z);
+  return place;
 }
 
 void BagFrames::placeWaiting(bool is_last_chance) {

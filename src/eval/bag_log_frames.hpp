@@ -5,7 +5,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <deque>
 #include <optional>
 #include <string>
@@ -32,8 +32,8 @@ class BagFrames {
   void add(const tf2_msgs::TFMessage& message, bool is_static);
   void add(const sensor_msgs::LaserScan& scan);
 
-  /// How a sensor sits on the robot, by what has come so far; throws tf2's errors.
-  Eigen::Matrix3d rotationOf(const std::string& frame) const;
+  /// Where a sensor sits on the robot, by what has come so far; throws tf2's errors.
+  Eigen::Isometry3d placeOf(const std::string& frame) const;
 
   /// Transforms that tf refused: older than what it keeps, repeated, or not numbers.
   int refused() const { return refused_; }

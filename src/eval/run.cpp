@@ -33,6 +33,7 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity);
   observations.heading = log_scan.heading;
   observations.gyro = log_scan.gyro;
+  observations.sonar = log_scan.sonar;
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;
   result.update_ms = watch.milliseconds();

@@ -88,11 +88,14 @@ bool Hypotheses::knows(const Pose2& T_map_base) const {
   return at(all_, T_map_base) != all_.end();
 }
 
-bool Hypotheses::explain(const Observations& observations, double most) const {
-  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+std::vector<Place> Hypotheses::explaining(const Observations& observations, double most) const {
+  std::vector<Place> places;
+  for (const Hypothesis& hypothesis : all_) {
     const Gaussian2 corrected = correctedBySenses(hypothesis, observations);
-    return senses_->misfit(observations, corrected.mean).value_or(most) < most;
-  });
+    const double error = senses_->misfit(observations, corrected.mean).value_or(most);
+    if (error < most) places.push_back({hypothesis.T_map_base, error});
+  }
+  return places;
 }
 
 bool Hypotheses::hold(const Pose2& T_map_core, double error, double usual) const {

@@ -76,7 +76,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
                        const Estimate& estimate, const Observations& all) {
   const Observations observations = withoutCover(all);
   const Pose2& T_map_base = estimate.T_map_base;
-  confidence_.observe(estimate, all);
+  confidence_.observe(estimate, tells(observations) ? observations : all);
   hypotheses_.ride(motion);
   way_ += wayOf(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);

@@ -152,6 +152,14 @@ LaserMount toMount(const geometry_msgs::Transform& message) {
   return mount;
 }
 
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& message) {
+  const auto& t = message.translation;
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = toQuaternion(message.rotation).toRotationMatrix();
+  result.translation() = Eigen::Vector3d(t.x, t.y, t.z);
+  return result;
+}
+
 Gaussian2 toGaussian(const geometry_msgs::PoseWithCovariance& message) {
   Gaussian2 gaussian;
   gaussian.mean = toPose2(message.pose);

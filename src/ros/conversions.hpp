@@ -43,6 +43,7 @@ geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
 
 /// How a laser sits, seen from above, from the transform of its frame to base.
 LaserMount toMount(const geometry_msgs::Transform& message);
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& message);
 
 /// From the x, y and yaw blocks of a 6 x 6 covariance over (x, y, z, roll, pitch, yaw), as amcl
 /// reads it: entries 0, 1, 6, 7 and 35.

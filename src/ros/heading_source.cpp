@@ -2,7 +2,6 @@
 #include "heading_source.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "callbacks.hpp"
 
@@ -10,12 +9,14 @@ namespace adaptive_localization {
 
 HeadingSource::HeadingSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odometry& odometry,
                              const NodeOptions& options)
-    : tf_(tf),
-      odometry_(odometry),
+    : odometry_(odometry),
       options_(options),
       mounts_(node, tf, options.base_frame_id, "Sensor"),
       ear_(
-          options.headings, [this](const std::string& frame) { return rotationOf(frame); },
+          options.headings,
+          [this](const std::string& frame) -> Eigen::Matrix3d {
+            return mounts_.placeOf(frame).linear();
+          },
           [this](const std::string& sense, const std::string& why) {
             if (complaints_.isDue(sense + why)) {
               ROS_WARN("Message of the %s dropped: %s", sense.c_str(), why.c_str());
@@ -34,17 +35,6 @@ void HeadingSource::listen(ros::NodeHandle& node, const std::string& topic) {
                                             [this](const auto& message) { ear_.hear(*message); }));
 }
 
-/// Throws std::exception saying why if nobody knows.
-Eigen::Matrix3d HeadingSource::rotationOf(const std::string& frame) {
-  if (mounts_.lookFor(frame) != LaserMounts::Knowledge::kKnown) {
-    throw std::invalid_argument("neither tf nor robot_description knows where frame '" + frame +
-                                "' is");
-  }
-  const auto q =
-      tf_.lookupTransform(options_.base_frame_id, frame, ros::Time(0)).transform.rotation;
-  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-}
-
 void HeadingSource::observe(const Pose2& T_odom_base, Observations& observations) const {
   observations.gyro = ear_.history().turnAt(observations.stamp);
   const auto reading = ear_.history().headingAt(observations.stamp);
@@ -57,35 +47,26 @@ void HeadingSource::observe(const Pose2& T_odom_base, Observations& observations
 }
 
 std::vector<SenseHealth> HeadingSource::health() const {
-  const HeadingTopics& topics = options_.headings;
-  const bool has_compass = !topics.magnetic_field_topic.empty() || !topics.heading_topic.empty();
-  const bool has_imu = !topics.imu_topic.empty();  // with a compass, a gyroscope or both
+  const HeadingTopics& wanted = options_.headings;
+  const bool has_compass = !wanted.magnetic_field_topic.empty() || !wanted.heading_topic.empty();
+  const bool has_imu = !wanted.imu_topic.empty();  // with a compass, a gyroscope or both
   const bool is_heard = ear_.headings().received > 0 || ear_.rates().received > 0;
   std::vector<SenseHealth> all;
   if (has_compass || (has_imu && (ear_.headings().received > 0 || !is_heard))) {
-    all.push_back(healthOf("compass", ear_.headings(), ear_.history().lastHeading()));
+    all.push_back(healthOf("compass", ear_.headings(), topics(), ear_.history().lastHeading()));
   }
   if (has_imu && ear_.rates().received > 0) {
-    all.push_back(healthOf("gyroscope", ear_.rates(), ear_.history().lastRate()));
+    all.push_back(healthOf("gyroscope", ear_.rates(), topics(), ear_.history().lastRate()));
   }
   return all;
 }
 
-SenseHealth HeadingSource::healthOf(const std::string& name, const Heard& heard,
-                                    double last) const {
-  constexpr double kSilence = 1.0;  // s
-  SenseHealth health{name, heard, ""};
-  if (heard.received == 0) {
-    for (const auto& subscriber : subscribers_) {
-      health.missing +=
-          (health.missing.empty() ? "nothing heard on " : ", ") + subscriber.getTopic();
-    }
-  } else if (!std::isfinite(last)) {
-    health.missing = "no message can be used";
-  } else if (const double silent = ros::Time::now().toSec() - last; silent > kSilence) {
-    health.missing = "silent for " + std::to_string(std::lround(silent)) + " s";
+std::string HeadingSource::topics() const {
+  std::string names;
+  for (const auto& subscriber : subscribers_) {
+    names += (names.empty() ? "" : ", ") + subscriber.getTopic();
   }
-  return health;
+  return names;
 }
 
 }  // namespace adaptive_localization

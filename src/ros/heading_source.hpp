@@ -12,22 +12,9 @@
 #include "laser_mounts.hpp"
 #include "node_options.hpp"
 #include "odometry.hpp"
+#include "sense_health.hpp"
 
 namespace adaptive_localization {
-
-/// How a sense beside the laser is heard, for a reader.
-struct SenseHealth {
-  std::string name;
-  Heard heard;
-  std::string missing;  // "nothing heard on /imu", "silent for 3 s"; empty while it is heard
-};
-
-/// The same with what becomes of it.
-struct SenseStatus {
-  SenseHealth health;
-  std::string state;  // "used", "disturbed", "silent for 3 s"
-  bool is_fine{true};
-};
 
 /// A compass and a gyroscope, on the topics that the options name.
 class HeadingSource {
@@ -51,10 +38,8 @@ class HeadingSource {
  private:
   template <class Message>
   void listen(ros::NodeHandle& node, const std::string& topic);
-  Eigen::Matrix3d rotationOf(const std::string& frame);
-  SenseHealth healthOf(const std::string& name, const Heard& heard, double last) const;
+  std::string topics() const;
 
-  tf2_ros::Buffer& tf_;
   const Odometry& odometry_;
   const NodeOptions& options_;  // the node's, which may change
   LaserMounts mounts_;

@@ -16,15 +16,6 @@ namespace {
 
 constexpr std::uint32_t kQueue = 50;
 
-Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& message) {
-  const auto& q = message.rotation;
-  const auto& t = message.translation;
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  result.translation() = Eigen::Vector3d(t.x, t.y, t.z);
-  return result;
-}
-
 /// A landmark as seen from where the robot is now.
 Sighting seenFrom(const Pose2& T_now_then, Sighting sighting) {
   const Eigen::Vector2d point =
@@ -40,8 +31,7 @@ Sighting seenFrom(const Pose2& T_now_then, Sighting sighting) {
 LandmarkSource::LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
                                const Odometry& odometry, const NodeOptions& options,
                                LandmarkMap known, Callback callback)
-    : tf_(tf),
-      tf_input_(tf_input),
+    : tf_input_(tf_input),
       odometry_(odometry),
       options_(options),
       known_(std::move(known)),
@@ -89,10 +79,7 @@ void LandmarkSource::use(const sensor_msgs::PointCloud& message) {
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
   if (!T_odom_base) throw std::invalid_argument(why);
-  const auto T_base_sensor =
-      toIsometry(tf_.lookupTransform(options_.base_frame_id,
-                                     withoutLeadingSlash(message.header.frame_id), ros::Time(0))
-                     .transform);
+  const auto T_base_sensor = mounts_.placeOf(withoutLeadingSlash(message.header.frame_id));
   Picture picture{stamp, *T_odom_base, {}};
   for (const Sighting& sighting :
        toSightings(message, T_base_sensor, [this](const std::string& what) { drop(what); })) {
@@ -135,17 +122,9 @@ void LandmarkSource::forget() {
 }
 
 std::optional<SenseHealth> LandmarkSource::health() const {
-  constexpr double kSilence = 1.0;  // s
   if (options_.landmark_topic.empty()) return std::nullopt;
-  SenseHealth health{"landmarks", heard_, ""};
-  if (heard_.received == 0) {
-    health.missing = "nothing heard on " + subscriber_.getTopic();
-  } else if (last_.isZero()) {
-    health.missing = "no message can be used";
-  } else if (const double silent = (ros::Time::now() - last_).toSec(); silent > kSilence) {
-    health.missing = "silent for " + std::to_string(std::lround(silent)) + " s";
-  }
-  return health;
+  const double last = last_.isZero() ? std::nan("") : last_.toSec();
+  return healthOf("landmarks", heard_, subscriber_.getTopic(), last);
 }
 
 }  // namespace adaptive_localization

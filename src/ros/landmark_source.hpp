@@ -15,10 +15,10 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/map/landmark_map.hpp"
 #include "complaints.hpp"
-#include "heading_source.hpp"
 #include "laser_mounts.hpp"
 #include "node_options.hpp"
 #include "odometry.hpp"
+#include "sense_health.hpp"
 #include "transform_input.hpp"
 
 namespace adaptive_localization {
@@ -58,7 +58,6 @@ class LandmarkSource {
   void drop(const std::string& why);
   bool isKnown(const Sighting& sighting) const;
 
-  tf2_ros::Buffer& tf_;
   TransformInput& tf_input_;
   const Odometry& odometry_;
   const NodeOptions& options_;  // the node's, which may change

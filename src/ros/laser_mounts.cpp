@@ -49,6 +49,14 @@ LaserMounts::Knowledge LaserMounts::lookFor(const std::string& frame) {
   return Knowledge::kUnknown;
 }
 
+Eigen::Isometry3d LaserMounts::placeOf(const std::string& frame) {
+  if (lookFor(frame) != Knowledge::kKnown) {
+    throw std::invalid_argument("neither tf nor robot_description knows where frame '" + frame +
+                                "' is");
+  }
+  return toIsometry(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
+}
+
 /// The description may have come after this node. A master that does not answer must not hold up
 /// the scans: true while its answer is awaited.
 bool LaserMounts::askAgain(Laser& laser) {

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 
+#include <Eigen/Geometry>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,6 +29,10 @@ class LaserMounts {
   /// Whether tf can place this frame on the robot. Once tf has failed to for a second, a mount
   /// found in robot_description is put into this node's tf buffer, so that all lookups succeed.
   Knowledge lookFor(const std::string& frame);
+
+  /// Where a sensor of another kind sits, T_base_sensor. Throws std::exception, saying why, if
+  /// nobody knows.
+  Eigen::Isometry3d placeOf(const std::string& frame);
 
   /// The mount at a stamp, so that a laser may move. Nothing, and why, where tf cannot tell.
   std::optional<LaserMount> at(const std::string& frame, const ros::Time& stamp,

@@ -2,6 +2,7 @@
 #include "localization_node.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -40,7 +41,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](double seconds) { onTimeJump(seconds); }),
       headings_(node, tf_, odometry_, options_),
       landmarks_(node, tf_, tf_input_, odometry_, options_, knownLandmarks(parameters_),
-                 [this](const auto& stamp, const auto& pose) { onLandmarks(stamp, pose); }),
+                 [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
+      sonars_(node, tf_, odometry_, options_,
+              [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(
           node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
       global_localization_(serve<std_srvs::Empty>(
@@ -106,13 +109,17 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   if (options_.reflector_intensity > 0.0 && !landmarks_.known().all().empty()) {
     observations.landmarks = reflectorsIn(message, mount, options_.reflector_intensity);
   }
+  last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp);
   return true;
 }
 
-/// Without a laser they are what the robot is localized by; else they come with the next scan.
-void LocalizationNode::onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base) {
-  if (localizer_ && !scans_.hasTopics()) localize(T_odom_base, {}, stamp);
+/// Without a laser, or while it is silent, landmarks and sonars are what the robot is localized by;
+/// else they come with the next scan.
+void LocalizationNode::onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base) {
+  constexpr double kSilence = 1.0;  // s
+  const bool is_silent = !last_scan_.isZero() && std::abs((stamp - last_scan_).toSec()) > kSilence;
+  if (localizer_ && (!scans_.hasTopics() || is_silent)) localize(T_odom_base, {}, stamp);
 }
 
 /// By a scan, and what other senses have to add.
@@ -125,6 +132,7 @@ void LocalizationNode::localize(const Pose2& T_odom_base, Observations observati
   observations.stamp = stamp.toSec();
   headings_.observe(T_odom_base, observations);
   landmarks_.observe(T_odom_base, observations);
+  sonars_.observe(T_odom_base, observations);
   const auto begin = std::chrono::steady_clock::now();
   const Localization answer = localizer_->update(T_odom_base, observations);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
@@ -157,6 +165,8 @@ void LocalizationNode::onTimeJump(double seconds) {
   odometry_watch_.forget();
   headings_.forget();
   landmarks_.forget();
+  sonars_.forget();
+  last_scan_ = {};
   publisher_.forgetStamps();
   if (answer_) startAround(*answer_);
 }
@@ -217,9 +227,10 @@ std::vector<SenseStatus> LocalizationNode::senses() const {
                                                       : localizer_->gyroscope().state();
     all.push_back({sense, is_heard ? use : sense.missing, is_heard && use != "disturbed"});
   }
-  if (const auto landmarks = landmarks_.health()) {
-    const bool is_heard = landmarks->missing.empty();
-    all.push_back({*landmarks, is_heard ? "used" : landmarks->missing, is_heard});
+  for (const auto& sense : {landmarks_.health(), sonars_.health()}) {
+    if (!sense) continue;
+    const bool is_heard = sense->missing.empty();
+    all.push_back({*sense, is_heard ? "used" : sense->missing, is_heard});
   }
   return all;
 }

@@ -24,6 +24,7 @@
 #include "pose_keeper.hpp"
 #include "reconfigure.hpp"
 #include "scan_source.hpp"
+#include "sonar_source.hpp"
 #include "transform_input.hpp"
 
 namespace adaptive_localization {
@@ -43,7 +44,10 @@ class LocalizationNode {
   tf2_ros::Buffer& tf() { return tf_; }
   bool hearsScansOn(const std::string& topic) const { return scans_.hears(topic); }
   void add(const sensor_msgs::LaserScan::ConstPtr& scan) { scans_.add(scan); }
-  void hear(const BagMessage& message) { headings_.add(message); }
+  void hear(const BagMessage& message) {
+    headings_.add(message);
+    sonars_.add(message);
+  }
   void localizeAnywhere() { start(Anywhere{}); }
   const std::optional<Localization>& answer() const { return answer_; }
   std::string missing() const { return health().missing; }
@@ -53,7 +57,7 @@ class LocalizationNode {
 
   void onMap(const Ground& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
-  void onLandmarks(const ros::Time& stamp, const Pose2& T_odom_base);
+  void onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base);
   void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
@@ -77,6 +81,7 @@ class LocalizationNode {
   bool update_again_{false};              // amcl's force_update_after_*
   int updates_on_trial_{0};               // left to find itself where a jump left it
   double ms_per_update_{0.0};
+  ros::Time last_scan_;  // that was used
 
   tf2_ros::Buffer tf_;
   TransformInput tf_input_;
@@ -89,6 +94,7 @@ class LocalizationNode {
   ScanSource scans_;
   HeadingSource headings_;
   LandmarkSource landmarks_;
+  SonarSource sonars_;
   ros::Subscriber initial_pose_;
   ros::ServiceServer global_localization_;
   ros::ServiceServer no_motion_update_;

@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/heading_topics.hpp"
+#include "adaptive_localization/core/name_list.hpp"
 #include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/core/sonar_topics.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
-
-/// The names in a list separated by spaces or commas, each once.
-inline std::vector<std::string> namesIn(std::string list) {
-  std::replace(list.begin(), list.end(), ',', ' ');
-  std::istringstream words(list);
-  std::vector<std::string> names;
-  for (std::string name; words >> name;) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  return names;
-}
 
 /// What the node itself is told; everything else goes to the Localizer. Names and defaults are
 /// amcl's, where amcl has the option.
@@ -38,6 +27,7 @@ struct NodeOptions {
   HeadingTopics headings;
   std::string landmark_topic;
   double reflector_intensity{0.0};
+  SonarTopics sonars;
   bool use_map_topic{false};
   bool first_map_only{false};
   bool map_origin_is_cell_center{false};
@@ -67,7 +57,7 @@ struct NodeOptions {
     option(
         "scan_topics", scan_topics, Choices{},
         "Topics with scans, separated by spaces or commas; empty: a robot without a laser, which "
-        "landmarks localize.");
+        "landmarks or sonars localize.");
     option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
            "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
     headings.visit(option);
@@ -77,6 +67,7 @@ struct NodeOptions {
     option("reflector_intensity", reflector_intensity, kNotNegative, "",
            "What is at least so bright in a scan is a landmark of the landmark_map that is not "
            "identified; 0: scans have none.");
+    sonars.visit(option);
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");

@@ -26,11 +26,11 @@ struct AmclFields {
 /// Whether the node reads an option at its start alone; a change takes effect at the next one.
 inline bool isReadAtStart(const std::string& key) {
   static const std::set<std::string> keys{
-      "odom_frame_id", "base_frame_id", "global_frame_id",
-      "scan_topics",   "use_map_topic", "first_map_only",
-      "tf_rate",       "pose_file",     "map_origin_is_cell_center",
-      "imu_topic",     "heading_topic", "magnetic_field_topic",
-      "landmark_topic"};
+      "odom_frame_id",  "base_frame_id", "global_frame_id",
+      "scan_topics",    "use_map_topic", "first_map_only",
+      "tf_rate",        "pose_file",     "map_origin_is_cell_center",
+      "imu_topic",      "heading_topic", "magnetic_field_topic",
+      "landmark_topic", "sonar_topics"};
   return keys.count(key) > 0;
 }
 

@@ -6,6 +6,7 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud.h>
+#include <sensor_msgs/Range.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -74,6 +75,7 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   if (simulation_.hasCamera()) {
     landmarks_ = node.advertise<sensor_msgs::PointCloud>("landmarks", kQueue);
   }
+  if (simulation_.hasSonars()) sonar_ = node.advertise<sensor_msgs::Range>("sonar", kQueue);
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
   if (options_.publish_laser_tf) publishSensorFrames();
@@ -137,6 +139,7 @@ void SimulatorNode::publish(const Sensed& sensed) {
   if (sensed.odometry) publishOdometry(*sensed.odometry);
   if (sensed.imu) publishImu(*sensed.imu);
   if (sensed.picture) publishPicture(*sensed.picture);
+  for (const Ping& ping : sensed.pings) publishPing(ping);
   if (!sensed.scan) return;
   if (!sensed.scan->ranges.empty()) publishScan(*sensed.scan, options_.laser_frame);
   if (sensed.second_scan) publishScan(*sensed.second_scan, options_.second_laser_frame);
@@ -205,6 +208,18 @@ void SimulatorNode::publishPicture(const Picture& picture) {
   landmarks_.publish(message);
 }
 
+void SimulatorNode::publishPing(const Ping& ping) {
+  const SonarReading reading = simulation_.reading(ping);
+  sensor_msgs::Range message;
+  message.header.stamp = toRosTime(ping.stamp);
+  message.header.frame_id = options_.sonar_frame_prefix + std::to_string(ping.sonar);
+  message.radiation_type = sensor_msgs::Range::ULTRASOUND;
+  message.field_of_view = static_cast<float>(reading.view);
+  message.max_range = static_cast<float>(reading.max_range);
+  message.range = static_cast<float>(ping.range);
+  sonar_.publish(message);
+}
+
 void SimulatorNode::publishMarkers() {
   std_msgs::Header header;
   header.stamp = toRosTime(simulation_.time());
@@ -213,26 +228,25 @@ void SimulatorNode::publishMarkers() {
 }
 
 void SimulatorNode::publishSensorFrames() {
+  constexpr double kSonarHeight = 0.209;  // m
   std::vector<geometry_msgs::TransformStamped> transforms;
-  for (const Pose2& mount : simulation_.laserMounts()) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = epoch_;
-    transform.header.frame_id = options_.base_frame_id;
-    transform.child_frame_id =
-        transforms.empty() ? options_.laser_frame : options_.second_laser_frame;
-    transform.transform = toTransformMessage(mount);
-    transform.transform.translation.z = options_.laser_z;
-    transforms.push_back(transform);
-  }
-  for (const auto& [has_it, frame] : {std::pair(simulation_.hasImu(), options_.imu_frame),
-                                      std::pair(simulation_.hasCamera(), options_.camera_frame)}) {
-    if (!has_it) continue;
+  const auto add = [&](const std::string& frame, const Pose2& T_base_sensor, double z) {
     geometry_msgs::TransformStamped transform;
     transform.header.stamp = epoch_;
     transform.header.frame_id = options_.base_frame_id;
     transform.child_frame_id = frame;
-    transform.transform = toTransformMessage(Pose2{});
+    transform.transform = toTransformMessage(T_base_sensor);
+    transform.transform.translation.z = z;
     transforms.push_back(transform);
+  };
+  for (const Pose2& mount : simulation_.laserMounts()) {
+    add(transforms.empty() ? options_.laser_frame : options_.second_laser_frame, mount,
+        options_.laser_z);
+  }
+  if (simulation_.hasImu()) add(options_.imu_frame, {}, 0.0);
+  if (simulation_.hasCamera()) add(options_.camera_frame, {}, 0.0);
+  for (std::size_t i = 0; simulation_.hasSonars() && i < Sonars::kCount; ++i) {
+    add(options_.sonar_frame_prefix + std::to_string(i), Sonars::mounts()[i], kSonarHeight);
   }
   static_tf_.sendTransform(transforms);
 }

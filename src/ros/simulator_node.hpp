@@ -26,6 +26,7 @@ struct SimulatorNodeOptions {
   std::string second_laser_frame{"laser_2"};
   std::string imu_frame{"imu"};
   std::string camera_frame{"camera"};
+  std::string sonar_frame_prefix{"sonar_"};
   std::string odom_frame_id{"odom"};
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
@@ -46,15 +47,17 @@ struct SimulatorNodeOptions {
     option("second_laser_frame", second_laser_frame, Choices{}, "The same of the second laser.");
     option("camera_frame", camera_frame, Choices{}, "Frame of the sightings of landmarks.");
     option("imu_frame", imu_frame, Choices{}, "Frame of the compass and the gyroscope.");
+    option("sonar_frame_prefix", sonar_frame_prefix, Choices{},
+           "Sonar i is in the frame with this name and i.");
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the truth.");
   }
 };
 
-/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan, and imu and
-/// landmarks if it has what they take; the truth. Topic kidnap carries the robot to a pose,
-/// disturb_compass turns what the compass tells by an angle, service kidnap_random anywhere,
+/// The simulated Pioneer as its drivers would show it: cmd_vel in; odom, tf, scan, and imu,
+/// landmarks and sonar if it has what they take; the truth. Topic kidnap carries the robot to a
+/// pose, disturb_compass turns what the compass tells by an angle, service kidnap_random anywhere,
 /// reset_positions to the start. One thread, no locks.
 class SimulatorNode {
  public:
@@ -70,6 +73,7 @@ class SimulatorNode {
   void publishScan(const LaserScan& scan, const std::string& frame);
   void publishImu(const ImuReading& reading);
   void publishPicture(const Picture& picture);
+  void publishPing(const Ping& ping);
   void publishMarkers();
   void publishSensorFrames();
   bool mustWait() const;
@@ -95,6 +99,7 @@ class SimulatorNode {
   ros::Publisher scan_;
   ros::Publisher imu_;        // where there is one,
   ros::Publisher landmarks_;  // as of the camera
+  ros::Publisher sonar_;      // and of sonars
   ros::Publisher truth_;
   ros::Publisher markers_;
   ros::Subscriber transforms_;

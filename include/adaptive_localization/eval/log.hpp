@@ -10,6 +10,7 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/core/sonar_topics.hpp"
 #include "adaptive_localization/eval/trajectory.hpp"
 
 namespace adaptive_localization {
@@ -19,9 +20,10 @@ struct LogScan {
   LaserScan scan;
   LaserMount mount;
   Pose2 T_odom_base;
-  std::optional<Pose2> T_map_base;   // the reference, where the recording has one
-  std::optional<Heading> heading{};  // of a compass, where the recording has one
-  std::optional<GyroTurn> gyro{};    // and of a gyroscope
+  std::optional<Pose2> T_map_base;    // the reference, where the recording has one
+  std::optional<Heading> heading{};   // of a compass, where the recording has one
+  std::optional<GyroTurn> gyro{};     // and of a gyroscope
+  std::vector<SonarReading> sonar{};  // since the scan before, where it has sonars
 };
 
 /// A recording as plain values, in the order in which it was recorded.
@@ -53,6 +55,7 @@ struct LogRequest {
   std::string truth_topic;  // empty: no reference from the bag
   FrameOptions frames;
   HeadingTopics headings;
+  SonarTopics sonars;
 };
 
 /// Whether a stamp lies within begin and end, to the microsecond that text gives them with.

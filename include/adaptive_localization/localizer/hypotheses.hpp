@@ -82,9 +82,9 @@ class Hypotheses {
 
   bool knows(const Pose2& T_map_base) const;
 
-  /// Whether one of them, once it is corrected, explains what senses beside the laser observed,
-  /// with a misfit below this.
-  bool explain(const Observations& observations, double most) const;
+  /// Those that explain what other senses tell, once they are corrected by it: whose misfit is
+  /// below the most, m.
+  std::vector<Place> explaining(const Observations& observations, double most) const;
 
   /// Whether a core is in one of the places, or a step away from one, as one of the two drifted
   /// off: unless the last scan, with its mean range error where the core is, contradicts the core
