@@ -22,8 +22,11 @@ constexpr std::size_t kLeastEchoes = 4;  // that localize
 
 /// Sources refuse what makes no sense; whoever calls a core may not.
 bool isUsable(const SonarReading& reading) {
-  return reading.range >= 0.0 && reading.max_range > 0.0 && std::isfinite(reading.max_range) &&
-         reading.view >= 0.0 && reading.view <= 2.0 * kPi && isFinite(reading.T_base_sonar);
+  constexpr double kMost = 1e3;  // m
+  const Pose2& mount = reading.T_base_sonar;
+  return reading.range >= 0.0 && reading.max_range > 0.0 && reading.max_range < kMost &&
+         reading.view >= 0.0 && reading.view <= 2.0 * kPi && isFinite(mount) &&
+         std::hypot(mount.x, mount.y) < kMost;
 }
 
 bool isEcho(const SonarReading& reading) {

@@ -261,6 +261,57 @@ TEST_P(EveryFilterWithLandmarks, IsSaneWhateverIsSighted) {
   }
 }
 
+/// Sixteen sonars all round, which hear what a map lets expect.
+Observations hear(const OccupancyGrid& map, const Pose2& T_map_base) {
+  const RayCaster ray_caster(std::make_shared<const OccupancyGrid>(map));
+  Observations heard;
+  for (int i = 0; i < 16; ++i) {
+    SonarReading reading{i, {0.0, 0.0, wrapAngle(2.0 * kPi * i / 16.0)}, 5.0, 5.0, 0.52};
+    const Pose2 T_map_sonar = T_map_base * reading.T_base_sonar;
+    for (double bearing = -0.26; bearing < 0.27; bearing += 0.02) {
+      const Pose2 T_map_ray = T_map_sonar * Pose2{0.0, 0.0, bearing};
+      reading.range = std::min(reading.range, ray_caster.range(T_map_ray, reading.max_range));
+    }
+    heard.sonar.push_back(reading);
+  }
+  return heard;
+}
+
+TEST_P(EveryFilter, ListensToSonarsWithoutAScan) {
+  const auto map = asymmetricWorld();
+  const Pose2 truth{3.0, 1.0, 0.5};
+  const auto filter = makeFilter(GetParam(), 2000);
+  filter->reset(
+      Gaussian2{truth * Pose2{0.12, -0.1, 0.0}, Eigen::Vector3d(0.04, 0.04, 0.01).asDiagonal()});
+  for (int i = 0; i < 12; ++i) {
+    const double step = i % 2 == 0 ? 0.05 : -0.05;
+    filter->update({step, 0.0, 0.0}, hear(*map, truth * Pose2{i % 2 == 0 ? 0.05 : 0.0, 0.0, 0.0}));
+  }
+  EXPECT_THAT(filter->estimate().T_map_base, PoseNear(truth, 0.08, 0.12));
+}
+
+TEST_P(EveryFilter, IsSaneWhateverSonarsHear) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto map = asymmetricWorld();
+  const Pose2 truth{3.0, 1.0, 0.5};
+  const auto filter = makeFilter(GetParam(), 2000);
+  filter->reset(roughly(truth));
+  const Observations good = hear(*map, truth);
+  for (const double odd : {nan, inf, -inf, 0.0, -1.0, 1e-300, 1e300}) {
+    for (const auto member :
+         {&SonarReading::range, &SonarReading::max_range, &SonarReading::view}) {
+      Observations heard = good;
+      for (std::size_t i = 0; i < 8; ++i) heard.sonar[2 * i].*member = odd;
+      ASSERT_THAT(filter->update({0.01, 0.0, 0.0}, heard), IsSaneEstimate()) << odd;
+    }
+    Observations heard = good;
+    heard.sonar[3].T_base_sonar.x = odd;
+    heard.sonar[5].T_base_sonar.theta = odd;
+    ASSERT_THAT(filter->update({0.01, 0.0, 0.0}, heard), IsSaneEstimate()) << odd;
+  }
+}
+
 TEST_P(EveryFilter, FollowsOdometryWithoutAnyObservation) {
   const auto filter = makeFilter(GetParam(), 2000);
   filter->reset(Gaussian2{{3.0, 1.0, 0.5}, Eigen::Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()});
