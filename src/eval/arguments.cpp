@@ -90,4 +90,13 @@ int toSeed(const std::string& name, const std::string& text) {
   return toWhole(name, text, kWhole, "a whole number from 0");
 }
 
+std::pair<std::string, std::string> toKeyAndValue(const std::string& name,
+                                                  const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw std::invalid_argument(name + ": got '" + text + "', expected KEY=VALUE");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 }  // namespace adaptive_localization

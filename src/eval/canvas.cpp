@@ -63,11 +63,14 @@ Canvas::Canvas(const OccupancyGrid& map, const std::vector<Pose2>& poses, double
   image_ = cv::Mat(height + margin_, width, CV_8UC3, cv::Scalar(255, 255, 255));
 }
 
+cv::Mat Canvas::plane() const {
+  return image_.rowRange(margin_, image_.rows);
+}
+
 cv::Point Canvas::pixel(const Eigen::Vector2d& point_map, int fraction_bits) const {
   const double scale = 1 << fraction_bits;
   return {static_cast<int>(std::lround((point_map.x() - left_) * pixels_per_metre_ * scale)),
-          static_cast<int>(
-              std::lround(((top_ - point_map.y()) * pixels_per_metre_ + margin_) * scale))};
+          static_cast<int>(std::lround((top_ - point_map.y()) * pixels_per_metre_ * scale))};
 }
 
 void Canvas::drawMap(const OccupancyGrid& map) {
@@ -93,11 +96,14 @@ void Canvas::drawPath(const std::vector<Pose2>& poses, const cv::Scalar& colour,
   for (const auto& pose : poses) {
     if (canBeDrawn(pose)) points.push_back(pixel({pose.x, pose.y}, kFractionBits));
   }
-  cv::polylines(image_, points, false, colour, thickness, cv::LINE_AA, kFractionBits);
+  cv::Mat below_the_margin = plane();
+  cv::polylines(below_the_margin, points, false, colour, thickness, cv::LINE_AA, kFractionBits);
 }
 
-void Canvas::drawDot(const Pose2& pose, const cv::Scalar& colour) {
-  if (canBeDrawn(pose)) cv::circle(image_, pixel({pose.x, pose.y}), 6, colour, -1, cv::LINE_AA);
+void Canvas::drawDot(const Pose2& pose, const cv::Scalar& colour, int radius) {
+  if (!canBeDrawn(pose)) return;
+  cv::Mat below_the_margin = plane();
+  cv::circle(below_the_margin, pixel({pose.x, pose.y}), radius, colour, -1, cv::LINE_AA);
 }
 
 void Canvas::drawScaleBar() {
@@ -117,16 +123,21 @@ void Canvas::drawScaleBar() {
 
 void Canvas::drawLegend(const std::vector<LegendRow>& rows,
                         const std::vector<std::string>& caption) {
-  int y = 22;
-  for (const auto& row : rows) {
-    cv::line(image_, {14, y - 5}, {46, y - 5}, row.colour, 4, cv::LINE_AA);
-    putText(image_, row.text, {56, y}, kTextSize);
-    y += 24;
+  constexpr int kRows = 3;
+  constexpr int kTop = 22, kRowHeight = 24, kFirstColumn = 166, kColumn = 280;  // px
+  int column_left = 14;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && i % kRows == 0) column_left += kColumn;
+    const int y = kTop + kRowHeight * static_cast<int>(i % kRows);
+    cv::line(image_, {column_left, y - 5}, {column_left + 32, y - 5}, rows[i].colour, 4,
+             cv::LINE_AA);
+    putText(image_, rows[i].text, {column_left + 42, y}, kTextSize);
   }
-  y = 22;
+  int y = kTop;
   for (const auto& line : caption) {
-    putText(image_, line, {180, y}, kTextSize);
-    y += 24;
+    putText(image_, line, {column_left + (rows.size() > kRows ? kColumn : kFirstColumn), y},
+            kTextSize);
+    y += kRowHeight;
   }
 }
 

@@ -28,13 +28,15 @@ class Canvas {
   void drawMap(const OccupancyGrid& map);
   void drawCells(const Lattice& lattice, const CellColour& colour_of);
   void drawPath(const std::vector<Pose2>& poses, const cv::Scalar& colour, int thickness);
-  void drawDot(const Pose2& pose, const cv::Scalar& colour);
+  void drawDot(const Pose2& pose, const cv::Scalar& colour, int radius = 6);  // px
   void drawScaleBar();
+  /// Three rows to a column, and the caption beside them.
   void drawLegend(const std::vector<LegendRow>& rows, const std::vector<std::string>& caption);
 
   const cv::Mat& image() const { return image_; }
 
  private:
+  cv::Mat plane() const;  // the picture below the margin, in whose pixels points are
   cv::Point pixel(const Eigen::Vector2d& point_map, int fraction_bits = 0) const;
 
   double left_, top_;  // m, map frame, of the picture's upper left corner below the margin

@@ -34,13 +34,7 @@ struct GivenParameters {
     return all;
   }
 
-  void addValue(const std::string& text) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw std::invalid_argument("--set: got '" + text + "', expected KEY=VALUE");
-    }
-    values.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
+  void addValue(const std::string& text) { values.push_back(toKeyAndValue("--set", text)); }
 };
 
 ArgumentParser makeParser(ReplayCommand& command, GivenParameters& given) {

@@ -57,11 +57,8 @@ void takeChoices(std::vector<std::string>& arguments, SwarmFixPlan& plan) {
     plan.noise = toNumber("--noise", text, {0.0, 1.0}, "0 to 1 m");
   }
   for (const std::string& text : takeAll(arguments, "--set")) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw std::invalid_argument("--set: got '" + text + "', expected KEY=VALUE");
-    }
-    plan.options.set(text.substr(0, equals), text.substr(equals + 1));
+    const auto [key, value] = toKeyAndValue("--set", text);
+    plan.options.set(key, value);
   }
   const auto searchers = takeAll(arguments, "--searchers");
   if (!searchers.empty()) plan.searchers.clear();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adaptive_localization/core/options.hpp"
@@ -54,5 +55,8 @@ int toCount(const std::string& name, const std::string& text, int most,
 
 /// The same of a seed, a whole number from 0.
 int toSeed(const std::string& name, const std::string& text);
+
+/// The same of KEY=VALUE.
+std::pair<std::string, std::string> toKeyAndValue(const std::string& name, const std::string& text);
 
 }  // namespace adaptive_localization
