@@ -29,7 +29,6 @@ BagMessage toBagMessage(const std::string& topic, const topic_tools::ShapeShifte
 SonarSource::SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odometry& odometry,
                          const NodeOptions& options, Callback callback)
     : odometry_(odometry),
-      options_(options),
       callback_(std::move(callback)),
       mounts_(node, tf, options.base_frame_id, "Sonar"),
       ear_(

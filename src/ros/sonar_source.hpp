@@ -28,6 +28,7 @@ class SonarSource {
   /// Told when there is something new, with where the robot was.
   using Callback = std::function<void(const ros::Time& stamp, const Pose2& T_odom_base)>;
 
+  /// The options are the node's, which may change.
   SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odometry& odometry,
               const NodeOptions& options, Callback callback);
 
@@ -54,7 +55,6 @@ class SonarSource {
   void complain(const std::string& why);
 
   const Odometry& odometry_;
-  const NodeOptions& options_;  // the node's, which may change
   Callback callback_;
   LaserMounts mounts_;
   Complaints complaints_;
