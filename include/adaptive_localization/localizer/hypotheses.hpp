@@ -31,8 +31,8 @@ class PlaceRefiner;
 /// places that look the same do not drift: only what is seen decides between them.
 ///
 /// What another sense says against a place is bounded where the laser sees: a compass that is
-/// disturbed, or a landmark that was moved, stays so, and decides only between places that scans and
-/// what was known before leave open.
+/// disturbed, or a landmark that was moved, stays so, and decides only between places that scans
+/// and what was known before leave open.
 ///
 /// As long as one of many places is far likelier than all others, as on poor maps where each scan
 /// fits here and there, the likeliest are judged by each scan and the others in turn, by all that
