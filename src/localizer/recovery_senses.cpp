@@ -38,13 +38,13 @@ bool Recovery::canSearch(const Observations& observations) const {
 }
 
 /// All places that explain a scan, or else what other senses tell: samples of a circle, say, only
-/// where no place that is followed explains it. Sonars name no places: those that are followed are
-/// all there are.
+/// where no place that is followed explains it. A sense that names no places, as sonars, has those
+/// that are followed.
 std::vector<Place> Recovery::placesFor(const Observations& observations) const {
   if (observations.scan.hits() > 0) return ground_.places->search(observations);
   std::vector<Place> places = hypotheses_.explaining(observations, kExplained);
   const bool is_new = places.empty();
-  if (observations.landmarks) places.clear();
+  if (senses_->namesPlaces(observations)) places.clear();
   for (const Pose2& pose : senses_->explanations(observations, is_new)) {
     places.push_back({pose, errorAt(pose, observations)});
   }

@@ -30,6 +30,11 @@ bool ComposedModel::canLocalize(const Observations& observations) const {
                      [&](const auto& part) { return part->canLocalize(observations); });
 }
 
+bool ComposedModel::namesPlaces(const Observations& observations) const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const auto& part) { return part->namesPlaces(observations); });
+}
+
 std::optional<double> ComposedModel::misfit(const Observations& observations,
                                             const Pose2& T_map_base) const {
   double sum = 0.0;

@@ -171,6 +171,8 @@ TEST_F(Model, WhatMakesNoSenseSaysNothing) {
     EXPECT_FALSE(model().canLocalize(seen));
   }
   EXPECT_TRUE(model().canLocalize(seeing({good})));
+  EXPECT_TRUE(model().namesPlaces(seeing({good})));
+  EXPECT_FALSE(model().namesPlaces({}));
   EXPECT_FALSE(model().canLocalize({}));
 }
 

@@ -143,6 +143,7 @@ TEST_F(ASonarModel, LinearizesNothingThatDoesNotFit) {
 
 TEST_F(ASonarModel, LocalizesByFourEchoesAndTellsHowTheyFit) {
   EXPECT_TRUE(model().canLocalize(fourSides()));
+  EXPECT_FALSE(model().namesPlaces(fourSides()));
   EXPECT_LT(model().misfit(fourSides(), kTruth).value(), 0.03);
   EXPECT_GT(model().misfit(fourSides(), kTruth * Pose2{0.6, 0.6, 0.0}).value(), 0.1);
   Observations three = fourSides();

@@ -23,6 +23,8 @@ class ComposedModel : public ObservationModel {
 
   bool canLocalize(const Observations& observations) const override;
 
+  bool namesPlaces(const Observations& observations) const override;
+
   /// The mean of those that tell.
   std::optional<double> misfit(const Observations& observations,
                                const Pose2& T_map_base) const override;

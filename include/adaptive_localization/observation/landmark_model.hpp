@@ -80,6 +80,10 @@ class LandmarkModel : public ObservationModel {
 
   bool canLocalize(const Observations& observations) const override;
 
+  bool namesPlaces(const Observations& observations) const override {
+    return canLocalize(observations);
+  }
+
  private:
   std::vector<Sighting> sightingsIn(const Observations& observations) const;
   double likelihood(const Sighting& sighting, const Pose2& T_map_base,

@@ -105,6 +105,10 @@ class ObservationModel {
     return std::nullopt;
   }
 
+  /// Whether explanations() knows of all places there may be; else those that are followed are all
+  /// that is known.
+  virtual bool namesPlaces(const Observations& /*observations*/) const { return false; }
+
   /// Poses that explain the observations, for observations that can localize: few that they tell,
   /// or, where they tell but a curve or an area, none, unless samples of that are asked for.
   virtual std::vector<Pose2> explanations(const Observations& /*observations*/,
