@@ -17,6 +17,7 @@ ProgramResult reproduce(const std::vector<std::string>& arguments) {
   setenv("EXPERIMENTS", EXPERIMENTS, 1);
   setenv("SWARM_FIXES", SWARM_FIXES, 1);
   setenv("SWARM_FUNCTIONS", SWARM_FUNCTIONS, 1);
+  setenv("SONAR_MAP", SONAR_MAP, 1);
   return runProgram(SOURCE_DIR "/scripts/reproduce", arguments);
 }
 
@@ -61,12 +62,21 @@ TEST(Reproduce, ComparesThePresetsWherePrintHasAPicture) {
   EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
 }
 
+TEST(Reproduce, ComparesModelsSideBySide) {
+  const TempFolder folder;
+  const ProgramResult result = reproduce({"E19", "--seeds", "1", "--out", folder.file("results")});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("| what | moravec-elfes | elfes | konolige |"));
+  const std::regex row(R"(\| all readings: F-score (\| 0\.[0-9]+ \([^|]*n = 1\) ){3}\|)");
+  EXPECT_TRUE(std::regex_search(result.output, row)) << result.output;
+}
+
 TEST(Reproduce, NamesWhatItKnows) {
   const ProgramResult unknown = reproduce({"E99"});
   EXPECT_NE(unknown.exit_code, 0);
   EXPECT_THAT(unknown.errors,
               AllOf(HasSubstr("'E99'"), HasSubstr("E1 E2 E3 E4 E5 E6 E7 E8 E9 E10 E11 E12 E13 E14 "
-                                                  "E15 E16 E17 E18 E20")));
+                                                  "E15 E16 E17 E18 E19 E20")));
   const ProgramResult list = reproduce({"--list"});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_THAT(list.output, AllOf(HasSubstr("E4 "), HasSubstr("(Li 2016, T5)")));
@@ -82,7 +92,7 @@ TEST(Reproduce, HasAPageForItsTables) {
     EXPECT_THAT(page, HasSubstr("<!-- " + (*at)[2].str() + " -->\n"));
     EXPECT_THAT(page, HasSubstr("<!-- end of " + (*at)[2].str() + " -->\n"));
   }
-  EXPECT_EQ(count, 19);
+  EXPECT_EQ(count, 20);
 }
 
 }  // namespace
