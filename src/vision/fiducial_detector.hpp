@@ -22,7 +22,7 @@ struct FiducialOptions {
   std::string dictionary{"DICT_4X4_50"};
   double pixel_std{0.5};
   double place_std{0.02};
-  double max_range{6.0};
+  double max_range{4.0};
 
   template <class Visitor>
   void visit(Visitor&& option) {

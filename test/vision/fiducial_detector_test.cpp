@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -13,9 +14,10 @@ namespace adaptive_localization {
 namespace {
 
 using testing::AllOf;
-using testing::Each;
+using testing::Gt;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Lt;
 using testing::SizeIs;
 using testing::ThrowsMessage;
 
@@ -83,33 +85,47 @@ TEST_F(Fiducials, AreFoundThroughALensThatDistorts) {
   EXPECT_GT((blunt[0].centre - centre).norm(), 0.05) << "the lens matters here";
 }
 
+/// Errors of many sightings, and what was told of them.
+struct Errors {
+  int count{0};
+  double range{0.0}, told_range{0.0};  // sums of squares, m^2
+  double normalised_range{0.0}, normalised_bearing{0.0};
+
+  void add(const Fiducial& fiducial, const Eigen::Vector3d& centre) {
+    const double range_error = rangeOf(fiducial.centre) - rangeOf(centre);
+    const double bearing_error = bearingOf(fiducial.centre) - bearingOf(centre);
+    ++count;
+    range += std::pow(range_error, 2);
+    told_range += std::pow(fiducial.range_deviation, 2);
+    normalised_range += std::pow(range_error / fiducial.range_deviation, 2);
+    normalised_bearing += std::pow(bearing_error / fiducial.bearing_deviation, 2);
+  }
+};
+
 /// Normalised squared errors are 1 in the mean where deviations are true. Sharp pictures of near
-/// markers are better than pixel_std says, so that those of ranges are less; those of bearings,
-/// for which the corners' common errors alone count, far less.
+/// markers are better than pixel_std says; in small ones the blur moves all corners inwards. It
+/// hardly moves their middle, and bearings are better than they are told to be.
 TEST_F(Fiducials, AreAsFarOffAsTheirDeviationsSay) {
   const FiducialDetector detector(options_);
-  double range_sum = 0.0, bearing_sum = 0.0;
-  int count = 0;
   for (const double depth : {0.5, 1.0, 2.0, 3.0}) {
-    for (int i = 0; i < 25; ++i) {
+    Errors errors;
+    for (int i = 0; i < 50; ++i) {
       const Eigen::Vector3d centre =
           depth * Eigen::Vector3d(rng_.uniform(-0.35, 0.35), rng_.uniform(-0.25, 0.25), 1.0);
       const auto marker = markerAt(i, centre, rng_.uniform(-1.0, 1.0), rng_.uniform(-0.5, 0.5));
       for (const auto& fiducial : detector.detect(picture({marker}), camera().calibration())) {
         ASSERT_EQ(fiducial.id, i);
-        range_sum +=
-            std::pow((rangeOf(fiducial.centre) - rangeOf(centre)) / fiducial.range_deviation, 2);
-        bearing_sum += std::pow(
-            (bearingOf(fiducial.centre) - bearingOf(centre)) / fiducial.bearing_deviation, 2);
-        ++count;
+        errors.add(fiducial, centre);
       }
     }
+    const double n = errors.count;
+    std::printf("%.1f m: %d of 50, range off by %.4f m, told %.4f m; normalised %.2f, %.2f\n",
+                depth, errors.count, std::sqrt(errors.range / n), std::sqrt(errors.told_range / n),
+                errors.normalised_range / n, errors.normalised_bearing / n);
+    EXPECT_GE(errors.count, 45);
+    EXPECT_THAT(errors.normalised_range / n, AllOf(Gt(0.2), Lt(2.0))) << depth;
+    EXPECT_THAT(errors.normalised_bearing / n, AllOf(Gt(0.01), Lt(1.0))) << depth;
   }
-  EXPECT_GE(count, 95);
-  EXPECT_THAT(range_sum / count, AllOf(testing::Gt(0.3), testing::Lt(1.5)));
-  EXPECT_THAT(bearing_sum / count, AllOf(testing::Gt(0.01), testing::Lt(1.0)));
-  RecordProperty("range", std::to_string(range_sum / count));
-  RecordProperty("bearing", std::to_string(bearing_sum / count));
 }
 
 TEST_F(Fiducials, RangeGrowsUncertainWithTheSquareOfTheDistance) {
