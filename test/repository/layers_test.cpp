@@ -80,9 +80,12 @@ const std::vector<std::pair<std::string, std::set<std::string>>>& rules() {
        {"core", "map", "motion", "observation", "particle", "match", "ser", "filters"}},
       {"sim", {"core", "map"}},
       {"bag", {"core"}},
+      {"vision", {"core"}},
       {"eval",
        {"core", "map", "particle", "match", "ser", "swarm", "filters", "localizer", "sim", "bag"}},
-      {"ros", {"core", "map", "observation", "match", "ser", "filters", "localizer", "sim", "bag"}},
+      {"ros",
+       {"core", "map", "observation", "match", "ser", "filters", "localizer", "sim", "bag",
+        "vision"}},
       {"apps", {"core", "map", "match", "ser", "localizer", "sim", "eval", "ros"}}};
   return all;
 }
