@@ -11,7 +11,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kOld = 1.0;  // s, of a reading that nobody asked for
+constexpr double kOld = 1.0;           // s, of a reading that nobody asked for
+constexpr std::uint32_t kQueue = 200;  // messages, on a topic and waiting for tf
 
 /// What came on a topic, of whatever type, as a bag holds it.
 BagMessage toBagMessage(const std::string& topic, const topic_tools::ShapeShifter& message) {
@@ -34,7 +35,6 @@ SonarSource::SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odomet
       ear_(
           options.sonars, [this](const std::string& frame) { return mounts_.placeOf(frame); },
           [this](const std::string& why) { complain(why); }) {
-  constexpr std::uint32_t kQueue = 200;
   for (const std::string& topic : namesIn(options.sonars.sonar_topics)) {
     subscribers_.push_back(subscribe<topic_tools::ShapeShifter>(
         node, topic, kQueue,
@@ -45,8 +45,8 @@ SonarSource::SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odomet
 void SonarSource::add(const BagMessage& message) {
   auto round = ear_.hear(message);
   if (!round || round->readings.empty()) return;
-  const bool is_stamp = round->stamp >= 0.0 && leavesRoom(ros::Time(round->stamp));
-  if (is_stamp) waiting_.push_back(std::move(*round));
+  if (!leavesRoom(ros::Time(round->stamp))) return drop("its stamp is out of range");
+  waiting_.push_back(std::move(*round));
   place();
   tell();
 }
@@ -62,11 +62,13 @@ void SonarSource::place() {
     } else if (waiting_.back().stamp - round.stamp < kOld) {
       still_waiting.push_back(std::move(round));
     } else {
-      ++late_;
-      complain(why);
+      drop(why);
     }
   }
   waiting_ = std::move(still_waiting);
+  for (; waiting_.size() > kQueue; waiting_.pop_front()) {
+    drop("tf cannot place it, nor " + std::to_string(kQueue) + " that came after it");
+  }
   while (!placed_.empty() && last_ - placed_.front().round.stamp > kOld) placed_.pop_front();
 }
 
@@ -78,6 +80,12 @@ void SonarSource::tell() {
   told_ = stamp;
   const Pose2 T_odom_base = placed_.back().T_odom_base;  // which observe() takes away
   callback_(ros::Time(stamp), T_odom_base);
+}
+
+/// One that the ear could use.
+void SonarSource::drop(const std::string& why) {
+  ++dropped_;
+  complain(why);
 }
 
 void SonarSource::complain(const std::string& why) {
@@ -116,7 +124,7 @@ std::optional<SenseHealth> SonarSource::health() const {
     topics += (topics.empty() ? "" : ", ") + subscriber.getTopic();
   }
   Heard heard = ear_.heard();
-  heard.dropped += late_;
+  heard.dropped += dropped_;
   return healthOf("sonar", heard, topics, last_);
 }
 

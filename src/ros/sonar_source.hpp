@@ -52,6 +52,7 @@ class SonarSource {
 
   void place();
   void tell();
+  void drop(const std::string& why);
   void complain(const std::string& why);
 
   const Odometry& odometry_;
@@ -63,7 +64,7 @@ class SonarSource {
   std::deque<Placed> placed_;
   double last_{std::numeric_limits<double>::quiet_NaN()};  // stamp of those that were placed,
   double told_{0.0};                                       // and of those that were told of, s
-  int late_{0};                                            // messages that tf could not place
+  int dropped_{0};                                         // messages that tf could not place
   std::vector<ros::Subscriber> subscribers_;
 };
 
