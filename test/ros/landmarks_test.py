@@ -3,7 +3,6 @@
 """A robot without a laser is localized by landmarks, from a start that it is told: the field looks
 the same after half a turn, so that nobody can be sure, and the robot says "ambiguous". What sights them is switched on and off while
 it drives, and tells nonsense: the node says so, and keeps the robot."""
-import copy
 import math
 import sys
 
@@ -76,19 +75,8 @@ class Landmarks(LocalizationCase):
         def set_late(message):
             message.header.stamp = rospy.Time(1)
 
-        for change in [set_frame, set_nan, set_certain, set_unknown, drop_channel, set_late]:
-            with self.subTest(change=change.__name__):
-                before = self.dropped()
-
-                def spoilt(message, change=change):
-                    message = copy.deepcopy(message)
-                    change(message)
-                    return message
-
-                self.spoil = lambda message, spoilt=spoilt: \
-                    spoilt(message) if rospy.get_time() % 1.0 < 0.5 else message
-                self.wait_for(lambda: self.dropped() > before + 5, "messages to be dropped")
-        self.spoil = lambda message: message
+        self.spoil_in_turn([set_frame, set_nan, set_certain, set_unknown, drop_channel, set_late],
+                           self.dropped)
         self.check_that_it_is_known(5)
 
     def dropped(self):

@@ -2,6 +2,7 @@
 """What the ROS tests share: listening to the node, the truth and tf, and waiting."""
 import bisect
 import contextlib
+import copy
 import math
 import time
 import unittest
@@ -172,3 +173,20 @@ class LocalizationCase(unittest.TestCase):
         """The last few poses are right."""
         errors = self.errors(since)[-count:]
         return len(errors) == count and all(m < metres and d < degrees for _, m, d in errors)
+
+    def spoil_in_turn(self, changes, dropped):
+        """Half of the messages that the test hands on, through spoil, are changed by each of some
+        functions, until some more were dropped."""
+        for change in changes:
+            with self.subTest(change=change.__name__):
+                before = dropped()
+
+                def spoilt(message, change=change):
+                    message = copy.deepcopy(message)
+                    change(message)
+                    return message
+
+                self.spoil = lambda message, spoilt=spoilt: \
+                    spoilt(message) if rospy.get_time() % 1.0 < 0.5 else message
+                self.wait_for(lambda: dropped() > before + 5, "messages to be dropped")
+        self.spoil = lambda message: message

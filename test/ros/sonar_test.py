@@ -92,19 +92,8 @@ class Sonar(LocalizationCase):
         def set_late(message):
             message.header.stamp = rospy.Time(1)
 
-        for change in [set_frame, set_nan, set_far, set_wide, set_late]:
-            with self.subTest(change=change.__name__):
-                before = self.dropped()
-
-                def spoilt(message, change=change):
-                    message = copy.deepcopy(message)
-                    change(message)
-                    return message
-
-                self.spoil = lambda message, spoilt=spoilt: \
-                    spoilt(message) if rospy.get_time() % 1.0 < 0.5 else message
-                self.wait_for(lambda: self.dropped() > before + 5, "messages to be dropped")
-        self.spoil = lambda message: message
+        self.spoil_in_turn([set_frame, set_nan, set_far, set_wide, set_late],
+                           self.dropped)
         self.check_that_it_is_known(5)
 
     def dropped(self):
