@@ -42,6 +42,7 @@ class Landmarks(LocalizationCase):
         self.assertLess(max(metres for _, metres, _ in errors), 0.6)
 
     def test_1_they_localize_the_robot(self):
+        self.tell_where_it_is()
         self.check_that_it_is_known(20)
         self.assertEqual(self.state(), "used")
         self.assertEqual(self.status_values()["landmarks messages dropped"], "0")

@@ -174,6 +174,20 @@ class LocalizationCase(unittest.TestCase):
         errors = self.errors(since)[-count:]
         return len(errors) == count and all(m < metres and d < degrees for _, m, d in errors)
 
+    def tell_where_it_is(self):
+        """As somebody does who sees the robot, which drives on while the node starts."""
+        poses = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)
+
+        def is_told():
+            if self.status() not in [None, "", "uninitialised"]:
+                return True
+            if self.truths:
+                stamp, *pose = self.truths[-1]
+                poses.publish(initial_pose(*pose, stamp=rospy.Time.from_sec(stamp)))
+            return False
+
+        self.wait_for(is_told, "the initial pose to be taken", pause=0.5)
+
     def spoil_in_turn(self, changes, dropped):
         """Half of the messages that the test hands on, through spoil, are changed by each of some
         functions, until some more were dropped."""

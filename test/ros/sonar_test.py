@@ -53,6 +53,7 @@ class Sonar(LocalizationCase):
         return scan
 
     def test_1_they_are_used_beside_the_laser(self):
+        self.tell_where_it_is()
         self.wait_for(lambda: self.status() == "tracking", "tracking")
         self.check_that_it_is_known(5)
         self.assertEqual(self.state(), "used")
