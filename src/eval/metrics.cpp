@@ -124,7 +124,11 @@ double pathLength(const std::vector<RunStep>& steps) {
 Metrics measure(const RunRecord& run) {
   std::vector<double> times, cpu_times, particles, confidences;
   int tracking = 0, nowhere = 0;
+  Metrics metrics;
   for (const auto& step : run.steps) {
+    const bool is_first = &step == &run.steps.front();
+    double& longest = is_first ? metrics.update_ms_first : metrics.update_ms_longest;
+    longest = std::max(longest, step.update_ms);
     confidences.push_back(step.confidence);
     if (!step.updated) continue;
     times.push_back(step.update_ms);
@@ -133,7 +137,6 @@ Metrics measure(const RunRecord& run) {
     tracking += step.status == Status::kTracking ? 1 : 0;
     nowhere += step.status == Status::kLost || step.status == Status::kGlobalizing ? 1 : 0;
   }
-  Metrics metrics;
   metrics.scans = static_cast<int>(run.steps.size());
   metrics.updates = static_cast<int>(times.size());
   if (!run.steps.empty()) metrics.duration_s = run.steps.back().stamp - run.steps.front().stamp;

@@ -59,7 +59,9 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["peak_rss_mb"] = metrics.peak_rss_mb;
   json["update_ms"] = {{"median", metrics.update_ms_median},
                        {"p99", metrics.update_ms_p99},
-                       {"max", metrics.update_ms_max}};
+                       {"max", metrics.update_ms_max},
+                       {"first", metrics.update_ms_first},
+                       {"longest_after_first", metrics.update_ms_longest}};
   json["update_cpu_ms"] = {{"median", metrics.update_cpu_ms_median},
                            {"mean", metrics.update_cpu_ms_mean}};
   json["particles"] = {{"mean", metrics.particles_mean}, {"max", metrics.particles_max}};

@@ -67,6 +67,14 @@ TEST_F(Evaluate, TellsWhereARobotGetsLostOnAPoorMap) {
   EXPECT_THAT(result.output, ContainsRegex(R"(\| shift:1 \| kld \| room drive \| .*\| 1/1 \|)"));
 }
 
+TEST_F(Evaluate, TellsWhatItCosts) {
+  const ProgramResult result = evaluate({"--seeds", "1", "--filter", "kld", "--cost"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("longest after the first scan"));
+  EXPECT_THAT(result.output,
+              ContainsRegex(R"(\| none \| kld \| room drive \|( [0-9]+\.?[0-9]* \|){6})"));
+}
+
 TEST_F(Evaluate, NamesWhatIsWrong) {
   const auto expectRefused = [&](const std::vector<std::string>& arguments,
                                  const std::string& why) {

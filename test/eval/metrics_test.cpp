@@ -228,6 +228,8 @@ TEST(Metrics, CountsTimesAndParticlesAtUpdatesOnly) {
   EXPECT_EQ(metrics.updates, 2);
   EXPECT_DOUBLE_EQ(metrics.update_ms_median, 3.0);
   EXPECT_DOUBLE_EQ(metrics.update_ms_max, 4.0);
+  EXPECT_DOUBLE_EQ(metrics.update_ms_first, 2.0);
+  EXPECT_DOUBLE_EQ(metrics.update_ms_longest, 100.0) << "looked at without an update, but late";
   EXPECT_DOUBLE_EQ(metrics.particles_mean, 750.0);
   EXPECT_EQ(metrics.particles_max, 1000);
   EXPECT_NEAR(metrics.confidence_mean, 2.5 / 3.0, 1e-12);

@@ -45,7 +45,11 @@ struct Metrics {
   double cpu_s{0.0};
   double peak_rss_mb{0.0};
   double update_ms_median{0.0}, update_ms_p99{0.0}, update_ms_max{0.0};  // of scans that updated
-  double update_cpu_ms_median{0.0}, update_cpu_ms_mean{0.0};             // the same, processor time
+  double update_ms_first{
+      0.0};  // of the first scan, for which all is made that is made when needed,
+  double update_ms_longest{0.0};  // and of any other, updated or not
+  double update_cpu_ms_median{0.0},
+      update_cpu_ms_mean{0.0};  // of scans that updated, processor time
   double particles_mean{0.0};
   int particles_max{0};
   int jumps{0};  // how often the estimate left the odometry by more than kLostDistance
