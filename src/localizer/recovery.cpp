@@ -106,9 +106,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (status_ == Status::kTracking) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
   }
-  const bool is_seen = observations.scan.hits() > 0;
-  if (is_settled_ && (isDoubtful(T_map_base_expected, T_map_base, error, is_seen) ||
-                      told_.isCheckDue() || isOutvoted(T_map_base, error, observations))) {
+  if (is_settled_ && isRaceDue(T_map_base_expected, T_map_base, error, observations)) {
     open(T_map_base_expected);
   } else if (is_settled_) {
     pace_.skipScan();
@@ -136,12 +134,23 @@ void Recovery::verify(const Estimate& estimate, const Observations& all) {
   conclude();
 }
 
-/// Where a scan does not fit, or the core jumps, other places are worth a thought: not at each scan
-/// as long as no other place is better.
-bool Recovery::isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error,
-                          bool is_seen) const {
+/// A doubt waits until it is known where else the robot can be, and may be gone by then.
+bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
+                         const Observations& observations) {
+  if (told_.isUnverified() || hasJumped(expected, T_map_base)) return true;
+  const bool is_seen = observations.scan.hits() > 0;
+  if (told_.isCheckDue() || isDoubtful(error, is_seen)) return isAnswered(observations);
+  return isOutvoted(T_map_base, error, observations);
+}
+
+bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
-  if (had_place && !areSamePlace(expected, T_map_base)) return true;
+  return had_place && !areSamePlace(expected, T_map_base);
+}
+
+/// Where a scan does not fit, other places are worth a thought: not at each scan as long as no
+/// other place is better.
+bool Recovery::isDoubtful(double error, bool is_seen) const {
   return (unexplained_ > (is_seen ? 0 : kSpurious) || isAtALoss()) && pace_.isOver(error);
 }
 
@@ -200,8 +209,9 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
 }
 
 void Recovery::search(const Observations& observations) {
-  const std::vector<Place> places = placesFor(observations);
-  if (!canSearch(observations)) return;  // that was no answer
+  const auto answer = placesFor(observations);
+  if (!canSearch(observations) || !answer) return;
+  const std::vector<Place>& places = *answer;
   told_.checked();
   const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
   const bool is_seen = observations.scan.hits() > 0;

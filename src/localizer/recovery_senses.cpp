@@ -39,8 +39,8 @@ bool Recovery::canSearch(const Observations& observations) const {
 
 /// All places that explain a scan, or else what other senses tell: samples of a circle, say, only
 /// where no place that is followed explains it. A sense that names no places, as sonars, has those
-/// that are followed.
-std::vector<Place> Recovery::placesFor(const Observations& observations) const {
+/// that are followed. Nothing while they are being searched for.
+std::optional<std::vector<Place>> Recovery::placesFor(const Observations& observations) const {
   if (observations.scan.hits() > 0) return ground_.places->search(observations);
   std::vector<Place> places = hypotheses_.explaining(observations, kExplained);
   const bool is_new = places.empty();
@@ -53,18 +53,24 @@ std::vector<Place> Recovery::placesFor(const Observations& observations) const {
   return places;
 }
 
+/// Whether it is known, or will not be, where else a scan can have been taken.
+bool Recovery::isAnswered(const Observations& observations) const {
+  if (observations.scan.hits() == 0 || !canSearch(observations)) return true;
+  return ground_.places->search(observations).has_value();
+}
+
 /// Another sense gainsays the core's place, and there is one that both scan and sense agree on. If
 /// there is none, it is the sense that is wrong.
 bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observations& observations) {
   constexpr double kBetter = 1.0;  // of a log likelihood
   if (!confidence_.isGainsaid() || !pace_.isOver(error)) return false;
-  const std::vector<Place> places = placesFor(observations);
-  if (!canSearch(observations)) return false;
+  const auto places = placesFor(observations);
+  if (!canSearch(observations) || !places) return false;
   pace_.searched(false, error);
-  Particles poses(static_cast<Eigen::Index>(places.size()) + 1);
+  Particles poses(static_cast<Eigen::Index>(places->size()) + 1);
   poses.setPose(0, T_map_base);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    poses.setPose(static_cast<Eigen::Index>(i) + 1, places[i].T_map_base);
+  for (std::size_t i = 0; i < places->size(); ++i) {
+    poses.setPose(static_cast<Eigen::Index>(i) + 1, (*places)[i].T_map_base);
   }
   Eigen::ArrayXd told = Eigen::ArrayXd::Zero(poses.size());
   senses_->score(observations, poses, told);

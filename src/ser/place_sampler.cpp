@@ -14,7 +14,9 @@ bool PlaceSampler::condition(const Observations& observations) {
   found_.clear();
   cumulative_.clear();
   const bool has_ser = ser_.condition(observations);
-  if (observations.scan.hits() > 0) found_ = places_->search(observations);
+  if (observations.scan.hits() > 0) {
+    found_ = places_->search(observations).value_or(std::vector<Place>{});
+  }
   double sum = 0.0;
   for (const Place& place : found_) {
     sum += std::exp(-(place.error - found_.front().error) / options_.place_error_scale);

@@ -131,13 +131,36 @@ bool Places::isReadyFor(const Scan& scan) {
   return entryFor(scan) || failed_ || !entries_.empty();
 }
 
-const std::vector<Place>& Places::search(const Observations& observations) {
+void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
+  constexpr double kStale = 3.0;  // m or rad, after which odometry tells too little
+  const Pose2 motion = between(T_odom_base_, T_odom_base);
+  T_odom_base_ = T_odom_base;
+  way_ += std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+  work_left_ = work;
+  if (!question_) return;
+  if (!(way_ < kStale)) {
+    question_.reset();
+  } else {
+    question_->search->advance(work_left_);
+  }
+}
+
+std::optional<std::vector<Place>> Places::search(const Observations& observations) {
   if (searched_ && isSame(*searched_, observations)) return found_;
-  found_.clear();
   searched_.reset();
-  const Entry* entry = entryFor(observations.scan);
-  if (!entry) return found_;
-  found_ = entry->search->find(observations.scan);
+  found_.clear();
+  if (!question_) {
+    const Entry* entry = entryFor(observations.scan);
+    if (!entry) return found_;
+    question_ =
+        Question{T_odom_base_, std::make_shared<PlaceSearch>(entry->search, observations.scan)};
+    way_ = 0.0;
+  }
+  if (!question_->search->advance(work_left_)) return std::nullopt;
+  found_ = question_->search->takePlaces();
+  const Pose2 since = between(question_->T_odom_base, T_odom_base_);
+  for (Place& place : found_) place.T_map_base = place.T_map_base * since;
+  question_.reset();
   searched_ = observations;
   return found_;
 }

@@ -18,6 +18,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::Optional;
 using testing::ThrowsMessage;
 
 const Pose2 kTruth{2.53, 3.51, 0.4};
@@ -112,14 +114,51 @@ TEST(Places, RememberAFewGridsOnly) {
 TEST(Places, AreWhereTheScanWasTaken) {
   Places places = placesOf(asymmetricWorld());
   const Observations seen{1.0, scanOf(181)};
-  const auto& found = places.search(seen);
-  ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found.front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
-
-  const Place* remembered = found.data();
-  EXPECT_EQ(places.search(seen).data(), remembered);
+  const auto found = places.search(seen);
+  ASSERT_TRUE(found && !found->empty());
+  EXPECT_THAT(found->front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
+  places.beginUpdate({}, 0);
+  EXPECT_TRUE(places.search(seen)) << "remembered, no work";
+  places.beginUpdate({}, kUnlimitedWork);
   Observations other{1.0, toScan(kHalfCircle.read(asymmetricWorld(), {1.0, 1.0, 0.3}))};
-  EXPECT_THAT(places.search(other).front().T_map_base, PoseNear(Pose2{1.0, 1.0, 0.3}, 0.05, 0.03));
+  const auto others = places.search(other);
+  ASSERT_TRUE(others && !others->empty());
+  EXPECT_THAT(others->front().T_map_base, PoseNear(Pose2{1.0, 1.0, 0.3}, 0.05, 0.03));
+}
+
+/// The same as at once, moved along with the robot; and no update does more than it may.
+TEST(Places, AreSearchedForInParts) {
+  constexpr SearchWork kWork = 200;
+  Places places = placesOf(asymmetricWorld());
+  const auto at_once = places.search({1.0, scanOf(181)});
+  Places in_parts = placesOf(asymmetricWorld());
+  std::optional<std::vector<Place>> answer;
+  Pose2 T_odom_base{5.0, 2.0, 0.7};
+  const Pose2 motion{0.01, 0.0, 0.005};
+  Pose2 moved;
+  int updates = 0;
+  for (; !answer && updates < 1000; ++updates) {
+    if (updates > 0) moved = moved * motion;
+    in_parts.beginUpdate(T_odom_base * moved, kWork);
+    answer = in_parts.search({1.0 + updates, updates == 0 ? scanOf(181) : scanOf(91)});
+  }
+  EXPECT_GT(updates, 3);
+  ASSERT_TRUE(answer && at_once);
+  ASSERT_EQ(answer->size(), at_once->size());
+  for (std::size_t i = 0; i < answer->size(); ++i) {
+    EXPECT_THAT((*answer)[i].T_map_base, PoseNear((*at_once)[i].T_map_base * moved, 1e-9, 1e-9));
+    EXPECT_EQ((*answer)[i].error, (*at_once)[i].error);
+  }
+}
+
+TEST(Places, ForgetAQuestionThatTheRobotLeftBehind) {
+  Places places = placesOf(asymmetricWorld());
+  places.beginUpdate({}, 1);
+  EXPECT_FALSE(places.search({1.0, scanOf(181)}));
+  places.beginUpdate({4.0, 0.0, 0.0}, kUnlimitedWork);
+  const auto found = places.search({2.0, scanOf(181)});
+  ASSERT_TRUE(found && !found->empty());
+  EXPECT_THAT(found->front().T_map_base, PoseNear(kTruth, 0.05, 0.03)) << "asked anew, from here";
 }
 
 TEST(Places, AreNoneForScansThatTellNothing) {
@@ -128,7 +167,7 @@ TEST(Places, AreNoneForScansThatTellNothing) {
     LaserScan message = kHalfCircle.read(asymmetricWorld(), kTruth);
     std::fill(message.ranges.begin(), message.ranges.end(), range);
     const Observations nothing{2.0, toScan(message)};
-    EXPECT_THAT(places.search(nothing), IsEmpty());
+    EXPECT_THAT(places.search(nothing), Optional(IsEmpty()));
   }
 }
 
@@ -136,11 +175,11 @@ TEST(Places, HaveNoGridWhileItIsMadeInTheBackground) {
   Places places = placesOf(asymmetricWorld(), Places::Build::kInBackground);
   const Scan scan = scanOf(181);
   EXPECT_EQ(places.energyGrid(scan), nullptr);
-  EXPECT_THAT(places.search({0.0, scan}), IsEmpty());
+  EXPECT_THAT(places.search({0.0, scan}), Optional(IsEmpty()));
   const auto grid = waitForGrid(places, scan);
   ASSERT_TRUE(grid);
   EXPECT_EQ(places.energyGrid(scanOf(180)), grid);
-  EXPECT_FALSE(places.search({0.0, scan}).empty());
+  EXPECT_THAT(places.search({0.0, scan}), Optional(Not(IsEmpty())));
 
   // another laser: made once, while the first goes on
   const Scan wide = scanOf(271, -135);
@@ -179,9 +218,9 @@ TEST(Places, SayOnceThatTheGridIsCoarser) {
               ElementsAre(AllOf(HasSubstr("energy_grid_max_memory"), HasSubstr("2 MB"))));
   places.energyGrid(scanOf(271, -135));
   EXPECT_THAT(places.takeWarnings(), IsEmpty());
-  const auto& found = places.search({0.0, scanOf(181)});
-  ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found.front().T_map_base, PoseNear(kTruth, 0.1, 0.05));
+  const auto found = places.search({0.0, scanOf(181)});
+  ASSERT_TRUE(found && !found->empty());
+  EXPECT_THAT(found->front().T_map_base, PoseNear(kTruth, 0.1, 0.05));
 }
 
 TEST(Places, SayOnceThatAMapHasNoFreeCellAndKnowNone) {
@@ -191,7 +230,7 @@ TEST(Places, SayOnceThatAMapHasNoFreeCellAndKnowNone) {
     places.energyGrid(scanOf(181));
     while (places.isBuilding()) places.newestGrid();
     EXPECT_EQ(places.energyGrid(scanOf(181)), nullptr);
-    EXPECT_THAT(places.search({0.0, scanOf(181)}), IsEmpty());
+    EXPECT_THAT(places.search({0.0, scanOf(181)}), Optional(IsEmpty()));
     EXPECT_THAT(places.takeWarnings(), ElementsAre(HasSubstr("no free cell")));
     EXPECT_FALSE(places.isBuilding());
   }

@@ -101,8 +101,12 @@ class Recovery {
   bool tells(const Observations& observations) const;
   double errorAt(const Pose2& T_map_base, const Observations& observations) const;
   bool canSearch(const Observations& observations) const;
-  std::vector<Place> placesFor(const Observations& observations) const;
-  bool isDoubtful(const Pose2& expected, const Pose2& T_map_base, double error, bool is_seen) const;
+  std::optional<std::vector<Place>> placesFor(const Observations& observations) const;
+  bool isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
+                 const Observations& observations);
+  bool isAnswered(const Observations& observations) const;
+  bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
+  bool isDoubtful(double error, bool is_seen) const;
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);

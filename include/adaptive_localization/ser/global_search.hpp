@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -45,6 +46,15 @@ struct SearchPose {
   int cost;  // sum over beams of the truncated range error, in steps
 };
 
+/// Work that may still be done, counted in poses looked at, which take some 25 ns each: the same on
+/// every machine, so that the same is found.
+using SearchWork = std::int64_t;
+constexpr SearchWork kUnlimitedWork = std::numeric_limits<SearchWork>::max();
+
+class PlaceRefiner;
+class PoseSearch;
+struct PoseSearchLimits;
+
 /// Where was this scan taken? Compares it with what would be seen from every free cell in every
 /// direction, and leaves none out that could matter:
 ///
@@ -61,24 +71,33 @@ class GlobalSearch {
   GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
                std::shared_ptr<const DistanceField> field, const GlobalSearchOptions& options);
 
-  /// Distinct places, refined below the lattice's spacing, best first.
+  /// Distinct places, refined below the lattice's spacing, best first; a PlaceSearch, done at once.
   std::vector<Place> find(const Scan& scan) const;
 
   /// All lattice poses within the margin of the best, none above search_max_error and 100 000 at
   /// the most, best first, ties by cell and direction.
   std::vector<SearchPose> findPoses(const DirectionalScan& scan) const;
 
+  /// The same, to be done in parts.
+  std::unique_ptr<PoseSearch> begin(const DirectionalScan& scan) const;
+
   /// The same by looking at every pose.
   std::vector<SearchPose> findPosesPlainly(const DirectionalScan& scan) const;
 
-  /// Poses whose cost was computed in the last search, as a share of all.
+  /// Moves poses to where the scan, which must outlive it, fits best nearby.
+  std::unique_ptr<const PlaceRefiner> refinerFor(const Scan& scan) const;
+
+  const RangeTable& ranges() const { return grid_->ranges(); }
+  const ScanGeometry& geometry() const { return grid_->geometry(); }
+  const GlobalSearchOptions& options() const { return options_; }
+
+  /// Poses whose cost was computed in the last findPoses(), as a share of all.
   double visitedShare() const { return visited_share_; }
 
  private:
   int truncation() const;                                      // steps
   int steps(double error, const DirectionalScan& scan) const;  // of a mean error per beam
-  std::size_t mostVisits() const;
-  std::vector<std::uint16_t> bounds(const DirectionalScan& scan) const;
+  PoseSearchLimits limitsFor(const DirectionalScan& scan) const;
 
   std::shared_ptr<const EnergyGrid> grid_;
   std::shared_ptr<const OccupancyGrid> map_;

@@ -34,7 +34,7 @@ struct PlaceSamplerOptions {
 ///     p(pose) = (1 - s) sum_k w_k N(pose; place_k, deviations) + s SER(pose),
 ///     w_k ~ exp(-(error_k - error_best) / scale)
 ///
-/// and from the SER alone where it found none.
+/// and from the SER alone where it found none, or takes more work than may be done by now.
 class PlaceSampler : public PoseSampler {
  public:
   /// Throws std::invalid_argument if the map has no free cell.

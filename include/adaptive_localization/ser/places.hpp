@@ -12,6 +12,7 @@
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/place_search.hpp"
 
 namespace adaptive_localization {
 
@@ -32,9 +33,15 @@ class Places {
   /// The grid for this scan's geometry; null while it is being made in the background.
   std::shared_ptr<const EnergyGrid> energyGrid(const Scan& scan);
 
-  /// The places where the scan can have been taken, most likely first; empty while the grid is
-  /// being made and for a scan without hits. The answer to the same scan again is remembered.
-  const std::vector<Place>& search(const Observations& observations);
+  /// Begins an update: so much work may be done until the next one, and what is being searched for
+  /// goes on. Until this is called for the first time there is no limit.
+  void beginUpdate(const Pose2& T_odom_base, SearchWork work);
+
+  /// The places where the robot can be by this scan, most likely first; empty while the grid is
+  /// being made and for a scan without hits. Nothing if the work that may be done does not suffice:
+  /// ask again at the next scan. What is answered then was searched for by the scan that was asked
+  /// about first, and rides on the odometry since. The answer to the same scan again is remembered.
+  std::optional<std::vector<Place>> search(const Observations& observations);
 
   /// Whether search() tells as much of this scan as it will: false while the first grid is being
   /// made. A laser whose mount turns all the time may never find one that is made for it.
@@ -63,6 +70,13 @@ class Places {
     bool is_from_cache{false};
     std::vector<std::string> warnings;
   };
+
+  /// A scan that is being searched for, and from where by the odometry.
+  struct Question {
+    Pose2 T_odom_base;
+    std::shared_ptr<PlaceSearch> search;
+  };
+
   Entry make(const ScanGeometry& geometry, std::shared_ptr<const RangeTable> ranges,
              const StopToken& stop) const;
   std::shared_ptr<const RangeTable> rangesFor(const ScanGeometry& geometry) const;
@@ -81,6 +95,10 @@ class Places {
   std::vector<std::string> warnings_;  // to be taken
   bool failed_{false};
   std::set<std::string> said_;            // all warnings
+  Pose2 T_odom_base_;                     // at this update
+  double way_{0.0};                       // m or rad, since the question
+  SearchWork work_left_{kUnlimitedWork};  // in this update
+  std::optional<Question> question_;
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
   Background<Entry> building_;  // last, so that it ends before what it reads

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adaptive_localization/ser/place_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "place_refiner.hpp"
+#include "pose_search.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+// Work as that of looking at so many poses.
+constexpr SearchWork kRefinedPlace = 500;
+constexpr SearchWork kComparisons = 4;  // with places that are distinct, like looking at one pose
+
+}  // namespace
+
+PlaceSearch::PlaceSearch(std::shared_ptr<const GlobalSearch> search, Scan scan)
+    : search_(std::move(search)), scan_(std::move(scan)) {
+  const DirectionalScan beams = toDirections(scan_, search_->geometry());
+  if (scan_.hits() > 0 && beams.valid > 0) pose_search_ = search_->begin(beams);
+  refiner_ = search_->refinerFor(scan_);
+}
+
+PlaceSearch::~PlaceSearch() = default;
+
+bool PlaceSearch::advance(SearchWork& left) {
+  return findPoses(left) && partPoses(left) && refine(left);
+}
+
+bool PlaceSearch::findPoses(SearchWork& left) {
+  if (!pose_search_) return true;
+  if (!pose_search_->advance(left)) return false;
+  poses_ = pose_search_->takePoses();
+  pose_search_.reset();
+  return true;
+}
+
+Pose2 PlaceSearch::poseOf(const SearchPose& pose) const {
+  const RangeTable& table = search_->ranges();
+  const double turn = table.lattice().origin().theta;
+  const Pose2 heading{0.0, 0.0, wrapAngle(search_->geometry().headingOf(pose.direction) + turn)};
+  const Eigen::Vector2d base = table.centre(pose.cell) - heading * search_->geometry().position;
+  return {base.x(), base.y(), heading.theta};
+}
+
+/// The best pose of each place.
+bool PlaceSearch::partPoses(SearchWork& left) {
+  const auto most = static_cast<std::size_t>(search_->options().search_max_places);
+  for (; next_pose_ < poses_.size() && distinct_.size() < most; ++next_pose_) {
+    if (left <= 0) return false;
+    const Pose2 T_map_base = poseOf(poses_[next_pose_]);
+    const auto same = std::find_if(distinct_.begin(), distinct_.end(), [&](const Pose2& other) {
+      return areSamePlace(T_map_base, other);
+    });
+    left -= 1 + (same - distinct_.begin()) / kComparisons;
+    if (same == distinct_.end()) distinct_.push_back(T_map_base);
+  }
+  return true;
+}
+
+bool PlaceSearch::refine(SearchWork& left) {
+  while (places_.size() < distinct_.size()) {
+    if (left <= 0) return false;
+    places_.push_back(refiner_->refine(distinct_[places_.size()]));
+    left -= kRefinedPlace;
+  }
+  return true;
+}
+
+std::vector<Place> PlaceSearch::takePlaces() {
+  std::stable_sort(places_.begin(), places_.end(),
+                   [](const Place& a, const Place& b) { return a.error < b.error; });
+  return distinctPlaces(places_);
+}
+
+}  // namespace adaptive_localization

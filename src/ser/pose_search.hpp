@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/range_table.hpp"
+#include "best_poses.hpp"
+#include "scan_targets.hpp"
+
+namespace adaptive_localization {
+
+/// What a search of a range table leaves out. Costs and errors in steps of the table.
+struct PoseSearchLimits {
+  int truncation{1};          // of the error of one range
+  int margin{0};              // above the best cost
+  int greatest{0};            // cost
+  std::size_t most_visits{};  // poses looked at
+};
+
+/// A search of GlobalSearch in parts: first the bounds of all blocks, then the blocks in the order
+/// of their bounds.
+class PoseSearch {
+ public:
+  PoseSearch(std::shared_ptr<const RangeTable> table, const DirectionalScan& scan,
+             const PoseSearchLimits& limits);
+
+  /// Goes on for as much work as is left; whether all is done.
+  bool advance(SearchWork& left);
+
+  /// Best first.
+  std::vector<SearchPose> takePoses() { return best_.sorted(); }
+
+  std::size_t visited() const { return visited_; }
+
+ private:
+  bool bound(SearchWork& left);
+  bool visit(SearchWork& left);
+
+  std::shared_ptr<const RangeTable> table_;
+  ScanTargets groups_, targets_;
+  PoseSearchLimits limits_;
+  BestPoses best_;
+  std::size_t bounded_{0};             // blocks whose bounds are known
+  std::vector<std::uint16_t> bounds_;  // [block * groups + group]
+  std::vector<std::uint32_t> order_;   // of the bounds, ascending
+  std::size_t next_{0};                // in that order
+  std::size_t visited_{0};
+};
+
+}  // namespace adaptive_localization
