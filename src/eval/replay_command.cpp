@@ -104,8 +104,8 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --help                  print this
 
 Other senses that a bag has are heard, as by the node, where its parameters name their topics:
-imu_topic, magnetic_field_topic, heading_topic, sonar_topics and, with a landmark_map, landmark_topic;
-reflector_intensity finds reflectors of that map in the scans. For example
+imu_topic, magnetic_field_topic, heading_topic, sonar_topics and, with a landmark_map,
+landmark_topic; reflector_intensity finds reflectors of that map in the scans. For example
 
   --set landmark_topic=landmarks landmark_map=posts.yaml
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Landmarks out of a bag.
-#include <sensor_msgs/PointCloud.h>
-
 #include <functional>
 #include <limits>
 
 #include "eval/bag_log_fixture.hpp"
+#include "support/sighted_points.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -23,22 +22,9 @@ class BagLogLandmarks : public BagLog {
     request_.landmark_map = LandmarkMap({{3, {5.0, 0.0}}, {4, {7.0, 1.0}}});
   }
 
-  /// Seen by a camera that sits 0.1 m before base, turned to the left by a quarter.
-  static sensor_msgs::PointCloud picture(double stamp, float id, float x = 0.0F, float y = -2.0F) {
-    sensor_msgs::PointCloud message;
-    message.header.stamp = ros::Time(stamp);
-    message.header.frame_id = "camera";
-    message.points.resize(1);
-    message.points[0].x = x;
-    message.points[0].y = y;
-    message.channels.resize(3);
-    const char* const names[] = {"id", "range_std", "bearing_std"};
-    const float values[] = {id, 0.1F, 0.05F};
-    for (std::size_t i = 0; i < 3; ++i) {
-      message.channels[i].name = names[i];
-      message.channels[i].values.push_back(values[i]);
-    }
-    return message;
+  /// Of a camera that sits 0.1 m before base, turned to the left by a quarter.
+  static sensor_msgs::PointCloud picture(double stamp, float id) {
+    return toMessage(stamp, "camera", {{id, {0.0F, -2.0F}}});
   }
 
   /// A drive of 3 s at 1 m/s with a scan in the middle between two odometry readings, and these
@@ -109,10 +95,7 @@ TEST_F(BagLogLandmarks, TheLastPictureBeforeAScanCounts) {
 }
 
 TEST_F(BagLogLandmarks, NoneInSightIsToldToo) {
-  sensor_msgs::PointCloud nothing = picture(101.53, 3.0F);
-  nothing.points.clear();
-  for (auto& channel : nothing.channels) channel.values.clear();
-  write({nothing});
+  write({toMessage(101.53, "camera", {})});
   const Log log = readLog(request_);
   ASSERT_TRUE(log.scans[15].landmarks);
   EXPECT_THAT(*log.scans[15].landmarks, IsEmpty());
@@ -125,9 +108,7 @@ TEST_F(BagLogLandmarks, AnOldPictureTellsNothing) {
     for (int i = 0; i <= 30; ++i) bag.odometryTransform(100.0 + 0.1 * i, {0.1 * i, 0.0, 0.0});
     for (const double stamp : {100.2, 101.1, 102.0}) bag.scan("/scan", stamp);
     for (const double stamp : {100.55, 101.55}) {
-      sensor_msgs::PointCloud message = picture(stamp, 3.0F);
-      message.header.frame_id = "base_link";
-      bag.write("/landmarks", stamp, message);
+      bag.write("/landmarks", stamp, toMessage(stamp, "base_link", {{3.0F, {2.0F, 0.0F}}}));
     }
   }
   const Log log = readLog(request_);
@@ -179,69 +160,6 @@ TEST_F(BagLogLandmarks, AreOfUseWithAMapOfThemAlone) {
   writeUsual();
   request_.landmark_map = {};
   expectRejected("option 'landmark_topic': got 'landmarks' without a landmark_map, expected both");
-}
-
-class BagLogReflectors : public BagLogLandmarks {
- protected:
-  BagLogReflectors() {
-    request_.landmarks.landmark_topic.clear();
-    request_.landmarks.reflector_intensity = 100.0;
-  }
-
-  /// Two scans of five beams of 2 m, the middle one bright, from a laser at (0.2, 0.1), whose mount
-  /// is recorded last; and a picture before the second.
-  void write() const {
-    BagWriter bag(request_.file);
-    for (int i = 0; i <= 10; ++i) bag.odometryTransform(100.0 + 0.1 * i, {});
-    for (const double stamp : {100.25, 100.75}) {
-      sensor_msgs::LaserScan scan;
-      scan.header.stamp = ros::Time(stamp);
-      scan.header.frame_id = "laser";
-      scan.angle_min = -1.0F;
-      scan.angle_increment = 0.5F;
-      scan.range_max = 8.0F;
-      scan.ranges.assign(5, 2.0F);
-      scan.intensities = {10.0F, 20.0F, 200.0F, 20.0F, 99.0F};
-      bag.write("/scan", stamp, scan);
-    }
-    sensor_msgs::PointCloud message = picture(100.7, 4.0F);
-    message.header.frame_id = "base_link";
-    bag.write("/landmarks", 100.7, message);
-    bag.laserTransform(101.0, "/tf");
-  }
-};
-
-TEST_F(BagLogReflectors, AreWhatIsBrightInAScan) {
-  write();
-  const Log log = readLog(request_);
-  ASSERT_THAT(log.scans, SizeIs(2));
-  for (const LogScan& scan : log.scans) {
-    ASSERT_TRUE(scan.landmarks);
-    ASSERT_THAT(*scan.landmarks, SizeIs(1));
-    EXPECT_EQ(scan.landmarks->front().id, -1);
-    EXPECT_NEAR(scan.landmarks->front().range, std::hypot(2.2, 0.1), 1e-6);
-    EXPECT_NEAR(scan.landmarks->front().bearing, std::atan2(0.1, 2.2), 1e-6);
-  }
-}
-
-TEST_F(BagLogReflectors, ComeBesideLandmarks) {
-  write();
-  request_.landmarks.landmark_topic = "/landmarks";
-  const Log log = readLog(request_);
-  ASSERT_THAT(log.scans, SizeIs(2));
-  ASSERT_TRUE(log.scans[0].landmarks && log.scans[1].landmarks);
-  EXPECT_THAT(*log.scans[0].landmarks, SizeIs(1));
-  EXPECT_THAT(*log.scans[1].landmarks,
-              ElementsAre(testing::Field(&Sighting::id, -1), testing::Field(&Sighting::id, 4)));
-}
-
-TEST_F(BagLogReflectors, AreNoneUnlessAskedForOrWithoutAMapOfThem) {
-  write();
-  request_.landmarks.reflector_intensity = 0.0;
-  EXPECT_FALSE(readLog(request_).scans[0].landmarks);
-  request_.landmarks.reflector_intensity = 100.0;
-  request_.landmark_map = {};
-  EXPECT_FALSE(readLog(request_).scans[0].landmarks);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The executable with a bag of a room that looks the same after half a turn: landmarks settle which
 // end the robot is in.
 #include <gmock/gmock.h>
-#include <sensor_msgs/PointCloud.h>
+#include <sensor_msgs/LaserScan.h>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +10,7 @@
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/bag_writer.hpp"
 #include "support/program.hpp"
+#include "support/sighted_points.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -49,35 +50,23 @@ class ReplayLandmarks : public testing::Test {
       bag.odometryTransform(stamp, between(begin, truth));
       bag.pose("/truth", stamp, truth);
       bag.write("/landmarks", stamp, pictureAt(stamp - 0.02, i, is_turned, ids));
-      bag.write("/scan", stamp, toMessage(laser.read(map_, truth), stamp));
+      bag.write("/scan", stamp, scanMessage(laser.read(map_, truth), stamp));
     }
   }
 
   sensor_msgs::PointCloud pictureAt(double stamp, int step, bool is_turned,
                                     const std::vector<int>& ids) const {
-    sensor_msgs::PointCloud message;
-    message.header.stamp = ros::Time(stamp);
-    message.header.frame_id = "base_link";
-    message.channels.resize(3);
-    message.channels[0].name = "id";
-    message.channels[1].name = "range_std";
-    message.channels[2].name = "bearing_std";
     const Pose2 before = truthAt(std::max(step - 1, 0), is_turned);
     const Pose2 T_map_base = interpolate(before, truthAt(step, is_turned), 0.9);
+    std::vector<SightedPoint> points;
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const Eigen::Vector2d place = inverse(T_map_base) * posts_[k];
-      geometry_msgs::Point32 point;
-      point.x = static_cast<float>(place.x());
-      point.y = static_cast<float>(place.y());
-      message.points.push_back(point);
-      message.channels[0].values.push_back(static_cast<float>(ids[k]));
-      message.channels[1].values.push_back(0.1F);
-      message.channels[2].values.push_back(0.05F);
+      points.push_back({static_cast<float>(ids[k]), place.cast<float>()});
     }
-    return message;
+    return toMessage(stamp, "base_link", points);
   }
 
-  static sensor_msgs::LaserScan toMessage(const LaserScan& scan, double stamp) {
+  static sensor_msgs::LaserScan scanMessage(const LaserScan& scan, double stamp) {
     sensor_msgs::LaserScan message;
     message.header.stamp = ros::Time(stamp);
     message.header.frame_id = "base_link";

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "support/sighted_points.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -21,19 +22,9 @@ class SightingsHeard : public testing::Test {
   SightingsHeard() { topics_.landmark_topic = "/landmarks"; }
 
   static sensor_msgs::PointCloud message(double stamp, const std::vector<float>& ids) {
-    sensor_msgs::PointCloud message;
-    message.header.stamp = ros::Time(stamp);
-    message.header.frame_id = "camera";
-    message.points.resize(ids.size());
-    for (auto& point : message.points) point.x = 2.0F;
-    message.channels.resize(3);
-    message.channels[0].name = "id";
-    message.channels[0].values = ids;
-    message.channels[1].name = "range_std";
-    message.channels[1].values.assign(ids.size(), 0.1F);
-    message.channels[2].name = "bearing_std";
-    message.channels[2].values.assign(ids.size(), 0.05F);
-    return message;
+    std::vector<SightedPoint> points;
+    for (const float id : ids) points.push_back({id, {2.0F, 0.0F}});
+    return toMessage(stamp, "camera", points);
   }
 
   std::optional<Picture> read(const sensor_msgs::PointCloud& message) {
