@@ -20,6 +20,7 @@
 #include "adaptive_localization/eval/search_run.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "adaptive_localization/observation/landmark_model.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -32,7 +33,8 @@ void warn(const std::vector<std::string>& warnings) {
 std::vector<std::string> knownKeys(const Localizer& localizer) {
   std::vector<std::string> keys = keysOf(localizer.allOptions());
   for (const auto& rows :
-       {describe(FrameOptions{}), describe(HeadingTopics{}), describe(StartOptions{})}) {
+       {describe(FrameOptions{}), describe(HeadingTopics{}), describe(SonarTopics{}),
+        describe(LandmarkTopics{}), describe(StartOptions{})}) {
     for (const auto& key : keysOf(rows)) keys.push_back(key);
   }
   return keys;
@@ -65,6 +67,8 @@ Log readLog(const ReplayCommand& command) {
   request.frames = command.parameters.read<FrameOptions>();
   request.headings = command.parameters.read<HeadingTopics>();
   request.sonars = command.parameters.read<SonarTopics>();
+  request.landmarks = command.parameters.read<LandmarkTopics>();
+  request.landmark_map = knownLandmarks(command.parameters.read<LandmarkOptions>());
   Log log = adaptive_localization::readLog(request);
   if (!command.truth_file.empty()) setReference(loadTum(command.truth_file, log.warnings), log);
   return log;

@@ -8,26 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <set>
 #include <stdexcept>
 
 #include "../bag/bag_stream.hpp"
-#include "../bag/heading_ear.hpp"
-#include "../bag/sonar_ear.hpp"
-#include "adaptive_localization/core/name_list.hpp"
+#include "../bag/reflectors.hpp"
 #include "bag_log_frames.hpp"
+#include "bag_log_senses.hpp"
+#include "bag_log_topics.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-/// What a choice of topic is for: the message types that fit, the argument that names one, a word.
-struct TopicKind {
-  std::set<std::string> types;
-  std::string argument;
-  std::string what;
-};
 
 const TopicKind kScans{{"sensor_msgs/LaserScan"}, "--scan-topic", "laser scans"};
 const TopicKind kOdometry{{"nav_msgs/Odometry"}, "--odom-topic", "odometry"};
@@ -35,41 +26,6 @@ const TopicKind kReference{
     {"geometry_msgs/PoseStamped", "geometry_msgs/PoseWithCovarianceStamped", "nav_msgs/Odometry"},
     "--truth-topic",
     "poses"};
-
-/// a, b, c; "none" for no words.
-std::string join(const std::set<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text.empty() ? "none" : text;
-}
-
-using Types = std::map<std::string, std::string>;  // of messages, by topic
-
-/// Names of the topics whose type fits.
-std::set<std::string> topicsOf(const TopicKind& kind, const Types& types) {
-  std::set<std::string> names;
-  for (const auto& [topic, type] : types) {
-    if (kind.types.count(type)) names.insert(topic);
-  }
-  return names;
-}
-
-/// The topic that `wanted` names, or, if it is empty, the only one that fits; the slash in front
-/// does not matter. Throws std::invalid_argument naming the topics there are.
-std::string choose(const std::string& wanted, const TopicKind& kind, const Types& types) {
-  const auto candidates = topicsOf(kind, types);
-  if (wanted.empty()) {
-    if (candidates.size() == 1) return *candidates.begin();
-    if (candidates.empty()) throw std::invalid_argument("has no topic with " + kind.what);
-    throw std::invalid_argument("has several topics with " + kind.what + ", name one with " +
-                                kind.argument + ": " + join(candidates));
-  }
-  for (const auto& topic : candidates) {
-    if (withoutLeadingSlash(topic) == withoutLeadingSlash(wanted)) return topic;
-  }
-  throw std::invalid_argument(kind.argument + ": got '" + wanted + "', expected a topic with " +
-                              kind.what + " of this bag: " + join(candidates));
-}
 
 StampedPose toStampedPose(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
@@ -107,22 +63,8 @@ class BagReader {
       : request_(request),
         stream_(request.file),
         types_(stream_.types()),
-        frames_(request.frames),
-        ear_(
-            request.headings,
-            [this](const std::string& frame) -> Eigen::Matrix3d {
-              return frames_.placeOf(frame).linear();
-            },
-            [this](const std::string& sense, const std::string& why) {
-              complaints_.insert({sense, why});
-            }),
-        sonars_(
-            request.sonars, [this](const std::string& frame) { return frames_.placeOf(frame); },
-            [this](const std::string& why) {
-              complaints_.insert({"sonars", why});
-            }) {
-    ear_.history() = HeadingHistory(std::numeric_limits<double>::infinity());
-  }
+        frames_(request.frames, request.landmarks.reflector_intensity > 0.0),
+        senses_(request, frames_) {}
 
   Log read() {
     scan_topic_ = choose(request_.scan_topic, kScans, types_);
@@ -132,14 +74,11 @@ class BagReader {
     if (!request_.truth_topic.empty()) {
       truth_topic_ = choose(request_.truth_topic, kReference, types_);
     }
-    checkSenses();
+    warn(senses_.faultsOf(types_));
     readMessages();
-    warnOfDropped("compass", ear_.headings());
-    warnOfDropped("gyroscope", ear_.rates());
-    warnOfDropped("sonars", sonars_.heard());
     takeScans();
-    for (auto& scan : log_.scans) addHeading(scan);
-    addRounds();
+    senses_.addTo(log_.scans);
+    warn(senses_.warnings());
     if (!truth_topic_.empty()) setReference(Trajectory(std::move(reference_)), log_);
     return std::move(log_);
   }
@@ -149,9 +88,7 @@ class BagReader {
   void readMessages() {
     while (const auto message = stream_.next()) {
       if (isOfUse(message->topic)) take(*message);
-      if (message->is_broken) continue;
-      ear_.hear(*message);
-      if (auto round = sonars_.hear(*message)) rounds_.push_back(std::move(*round));
+      if (!message->is_broken) senses_.hear(*message);
     }
     if (!stream_.whyStopped().empty()) {
       log_.warnings.push_back("reading stopped early: " + stream_.whyStopped());
@@ -164,55 +101,8 @@ class BagReader {
            topic == truth_topic_;
   }
 
-  /// A topic that the bag does not have is a slip, as a parameter that nobody knows.
-  void checkSenses() {
-    const HeadingTopics& wanted = request_.headings;
-    for (const auto& topic :
-         {wanted.imu_topic, wanted.magnetic_field_topic, wanted.heading_topic}) {
-      if (!topic.empty()) checkTopic(topic, "headings");
-    }
-    for (const auto& topic : namesIn(request_.sonars.sonar_topics)) checkTopic(topic, "sonars");
-  }
-
-  void checkTopic(const std::string& topic, const std::string& what) {
-    const bool is_there = std::any_of(types_.begin(), types_.end(), [&](const auto& entry) {
-      return withoutLeadingSlash(entry.first) == withoutLeadingSlash(topic);
-    });
-    if (!is_there)
-      log_.warnings.push_back("no topic '" + topic + "' with " + what + " in this bag");
-  }
-
-  void addHeading(LogScan& scan) const {
-    if (const auto reading = ear_.history().headingAt(scan.scan.stamp)) {
-      scan.heading = reading->heading;
-    }
-    scan.gyro = ear_.history().turnAt(scan.scan.stamp);
-  }
-
-  /// What sonars heard between two scans is told with the second one, from where the robot is then.
-  void addRounds() {
-    constexpr double kLongestGap = 1.0;  // s
-    std::vector<StampedPose> poses;
-    for (const LogScan& scan : log_.scans) poses.push_back({scan.scan.stamp, scan.T_odom_base});
-    const Trajectory odometry(std::move(poses));
-    for (const SonarRound& round : rounds_) {
-      const auto T_odom_then = odometry.at(round.stamp, kLongestGap);
-      const auto scan = std::find_if(log_.scans.begin(), log_.scans.end(), [&](const auto& one) {
-        return one.scan.stamp >= round.stamp;
-      });
-      if (!T_odom_then || scan == log_.scans.end()) continue;
-      for (SonarReading reading : round.readings) {
-        reading.T_base_sonar = between(scan->T_odom_base, *T_odom_then) * reading.T_base_sonar;
-        scan->sonar.push_back(reading);
-      }
-    }
-  }
-
-  void warnOfDropped(const std::string& sense, const Heard& heard) {
-    if (heard.dropped == 0) return;
-    log_.warnings.push_back("messages of the " + sense +
-                            " dropped: " + std::to_string(heard.dropped) + " of " +
-                            std::to_string(heard.received) + "; the first: " + complaints_[sense]);
+  void warn(const std::vector<std::string>& warnings) {
+    log_.warnings.insert(log_.warnings.end(), warnings.begin(), warnings.end());
   }
 
   void take(const BagMessage& message) {
@@ -258,8 +148,12 @@ class BagReader {
     int without_odometry = 0;
     for (auto& scan : placed) {
       if (!scan.has_mount) unknown_frames.insert(scan.frame);
-      if (scan.has_odometry) log_.scans.push_back(std::move(scan.scan));
-      if (!scan.has_odometry) ++without_odometry;
+      if (!scan.has_odometry) {
+        ++without_odometry;
+        continue;
+      }
+      addReflectors(scan);
+      log_.scans.push_back(std::move(scan.scan));
     }
     if (!unknown_frames.empty()) {
       log_.warnings.push_back("no transform from '" + request_.frames.base_frame_id +
@@ -274,14 +168,18 @@ class BagReader {
     log_.skipped += without_odometry;
   }
 
+  void addReflectors(BagFrames::PlacedScan& placed) const {
+    const double least = request_.landmarks.reflector_intensity;
+    if (!(least > 0.0) || request_.landmark_map.all().empty()) return;
+    LogScan& scan = placed.scan;
+    scan.landmarks = reflectorsIn(scan.scan, placed.intensities, scan.mount, least);
+  }
+
   const LogRequest& request_;
   BagStream stream_;
-  const Types& types_;
+  const TopicTypes& types_;
   BagFrames frames_;
-  HeadingEar ear_;
-  SonarEar sonars_;
-  std::vector<SonarRound> rounds_;
-  std::map<std::string, std::string> complaints_;  // of each sense, the first
+  BagSenses senses_;
   std::string scan_topic_, odom_topic_, truth_topic_;
   std::vector<StampedPose> odometry_, reference_;
   Log log_;

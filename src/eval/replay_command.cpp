@@ -103,6 +103,12 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --quiet                 print nothing but warnings and errors
   --help                  print this
 
+Other senses that a bag has are heard, as by the node, where its parameters name their topics:
+imu_topic, magnetic_field_topic, heading_topic, sonar_topics and, with a landmark_map,
+landmark_topic; reflector_intensity finds reflectors of that map in the scans. For example
+
+  --set landmark_topic=landmarks landmark_map=posts.yaml
+
 Kinds of damage, with their usual amounts:
 )" + describeKinds(damageKinds());
 }

@@ -34,6 +34,7 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   observations.heading = log_scan.heading;
   observations.gyro = log_scan.gyro;
   observations.sonar = log_scan.sonar;
+  observations.landmarks = log_scan.landmarks;
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;
   result.update_ms = watch.milliseconds();

@@ -43,15 +43,6 @@ bool isUsable(const Sighting& sighting) {
          sighting.bearing_deviation > 0.0;
 }
 
-LandmarkMap landmarksOf(const LandmarkOptions& options) {
-  if (options.landmark_map.empty()) return {};
-  try {
-    return loadLandmarks(options.landmark_map);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("option 'landmark_map': " + std::string(error.what()));
-  }
-}
-
 /// The candidate that looks most like the sighting's from a pose.
 const Eigen::Vector2d& nearest(const Sighting& sighting, const Pose2& T_map_base,
                                const std::vector<Eigen::Vector2d>& candidates) {
@@ -64,10 +55,19 @@ const Eigen::Vector2d& nearest(const Sighting& sighting, const Pose2& T_map_base
 
 }  // namespace
 
+LandmarkMap knownLandmarks(const LandmarkOptions& options) {
+  if (options.landmark_map.empty()) return {};
+  try {
+    return loadLandmarks(options.landmark_map);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("option 'landmark_map': " + std::string(error.what()));
+  }
+}
+
 LandmarkModel::LandmarkModel(const LandmarkOptions& options,
                              std::shared_ptr<const OccupancyGrid> map,
                              std::shared_ptr<const DistanceField> field)
-    : LandmarkModel(options, landmarksOf(options), std::move(map), std::move(field)) {}
+    : LandmarkModel(options, knownLandmarks(options), std::move(map), std::move(field)) {}
 
 LandmarkModel::LandmarkModel(const LandmarkOptions& options, LandmarkMap landmarks,
                              std::shared_ptr<const OccupancyGrid> map,

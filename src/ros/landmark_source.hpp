@@ -7,13 +7,9 @@
 #include <tf2_ros/message_filter.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "adaptive_localization/core/observations.hpp"
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "../bag/sighting_ear.hpp"
 #include "complaints.hpp"
 #include "laser_mounts.hpp"
 #include "node_options.hpp"
@@ -39,7 +35,7 @@ class LandmarkSource {
   /// Adds what was sighted last, as seen from where the robot is by now, and forgets it.
   void observe(const Pose2& T_odom_base, Observations& observations);
 
-  const LandmarkMap& known() const { return known_; }
+  const LandmarkMap& known() const { return ear_.known(); }
 
   void forget();
 
@@ -47,27 +43,22 @@ class LandmarkSource {
   std::optional<SenseHealth> health() const;
 
  private:
-  struct Picture {
-    ros::Time stamp;
+  struct Placed {
     Pose2 T_odom_base;
-    std::vector<Sighting> sightings;
+    Picture picture;
   };
 
   void add(const sensor_msgs::PointCloud::ConstPtr& message);
   void use(const sensor_msgs::PointCloud& message);
-  void drop(const std::string& why);
-  bool isKnown(const Sighting& sighting) const;
 
   TransformInput& tf_input_;
   const Odometry& odometry_;
   const NodeOptions& options_;  // the node's, which may change
-  LandmarkMap known_;
   Callback callback_;
   LaserMounts mounts_;
   Complaints complaints_;
-  Heard heard_;  // messages
-  ros::Time last_;
-  std::optional<Picture> picture_;
+  SightingEar ear_;
+  std::optional<Placed> newest_;
   tf2_ros::MessageFilter<sensor_msgs::PointCloud> filter_;
   ros::Subscriber subscriber_;
 };

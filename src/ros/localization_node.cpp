@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../bag/reflectors.hpp"
-#include "adaptive_localization/map/landmark_file.hpp"
 #include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
@@ -16,14 +15,6 @@
 #include "ros_params.hpp"
 
 namespace adaptive_localization {
-namespace {
-
-LandmarkMap knownLandmarks(const Parameters& parameters) {
-  const std::string file = parameters.read<LandmarkOptions>().landmark_map;
-  return file.empty() ? LandmarkMap() : loadLandmarks(file);
-}
-
-}  // namespace
 
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
     : parameters_(readParameters(private_node)),
@@ -40,7 +31,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
           [this](double seconds) { onTimeJump(seconds); }),
       headings_(node, tf_, odometry_, options_),
-      landmarks_(node, tf_, tf_input_, odometry_, options_, knownLandmarks(parameters_),
+      landmarks_(node, tf_, tf_input_, odometry_, options_,
+                 knownLandmarks(parameters_.read<LandmarkOptions>()),
                  [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
       sonars_(node, tf_, odometry_, options_,
               [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
@@ -106,8 +98,9 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
-  if (options_.reflector_intensity > 0.0 && !landmarks_.known().all().empty()) {
-    observations.landmarks = reflectorsIn(message, mount, options_.reflector_intensity);
+  const double least = options_.landmarks.reflector_intensity;
+  if (least > 0.0 && !landmarks_.known().all().empty()) {
+    observations.landmarks = reflectorsIn(laser_scan, message.intensities, mount, least);
   }
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp);

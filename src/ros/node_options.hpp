@@ -9,6 +9,7 @@
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/heading_topics.hpp"
+#include "adaptive_localization/core/landmark_topics.hpp"
 #include "adaptive_localization/core/name_list.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/sonar_topics.hpp"
@@ -25,8 +26,7 @@ struct NodeOptions {
   std::string scan_topics{"scan"};
   double scan_time_offset{0.0};
   HeadingTopics headings;
-  std::string landmark_topic;
-  double reflector_intensity{0.0};
+  LandmarkTopics landmarks;
   SonarTopics sonars;
   bool use_map_topic{false};
   bool first_map_only{false};
@@ -61,12 +61,7 @@ struct NodeOptions {
     option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
            "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
     headings.visit(option);
-    option("landmark_topic", landmark_topic, Choices{},
-           "Topic with sightings of the landmark_map's landmarks (sensor_msgs/PointCloud); empty: "
-           "none.");
-    option("reflector_intensity", reflector_intensity, kNotNegative, "",
-           "What is at least so bright in a scan is a landmark of the landmark_map that is not "
-           "identified; 0: scans have none.");
+    landmarks.visit(option);
     sonars.visit(option);
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");

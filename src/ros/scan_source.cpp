@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../bag/stamps.hpp"
 #include "adaptive_localization/core/background.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
-#include "stamps.hpp"
 
 namespace adaptive_localization {
 namespace {

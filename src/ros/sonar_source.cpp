@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "../bag/stamps.hpp"
 #include "callbacks.hpp"
-#include "stamps.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../bag/stamps.hpp"
 #include "adaptive_localization/core/background.hpp"
-#include "stamps.hpp"
 
 namespace adaptive_localization {
 

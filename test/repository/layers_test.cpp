@@ -79,14 +79,14 @@ const std::vector<std::pair<std::string, std::set<std::string>>>& rules() {
       {"localizer",
        {"core", "map", "motion", "observation", "particle", "match", "ser", "filters"}},
       {"sim", {"core", "map"}},
-      {"bag", {"core"}},
+      {"bag", {"core", "map"}},
       {"vision", {"core"}},
       {"eval",
        {"core", "map", "particle", "match", "ser", "swarm", "filters", "localizer", "sim", "bag"}},
       {"ros",
        {"core", "map", "observation", "match", "ser", "filters", "localizer", "sim", "bag",
         "vision"}},
-      {"apps", {"core", "map", "match", "ser", "localizer", "sim", "eval", "ros"}}};
+      {"apps", {"core", "map", "observation", "match", "ser", "localizer", "sim", "eval", "ros"}}};
   return all;
 }
 

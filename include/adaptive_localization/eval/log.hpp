@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "adaptive_localization/core/heading_topics.hpp"
+#include "adaptive_localization/core/landmark_topics.hpp"
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/core/sonar_topics.hpp"
 #include "adaptive_localization/eval/trajectory.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
 
 namespace adaptive_localization {
 
@@ -20,10 +22,11 @@ struct LogScan {
   LaserScan scan;
   LaserMount mount;
   Pose2 T_odom_base;
-  std::optional<Pose2> T_map_base;    // the reference, where the recording has one
-  std::optional<Heading> heading{};   // of a compass, where the recording has one
-  std::optional<GyroTurn> gyro{};     // and of a gyroscope
-  std::vector<SonarReading> sonar{};  // since the scan before, where it has sonars
+  std::optional<Pose2> T_map_base;                   // the reference, where the recording has one
+  std::optional<Heading> heading{};                  // of a compass, where the recording has one
+  std::optional<GyroTurn> gyro{};                    // and of a gyroscope
+  std::vector<SonarReading> sonar{};                 // since the scan before, where it has sonars
+  std::optional<std::vector<Sighting>> landmarks{};  // sighted last, where it has landmarks
 };
 
 /// A recording as plain values, in the order in which it was recorded.
@@ -56,6 +59,8 @@ struct LogRequest {
   FrameOptions frames;
   HeadingTopics headings;
   SonarTopics sonars;
+  LandmarkTopics landmarks;
+  LandmarkMap landmark_map;  // those that may be sighted
 };
 
 /// Whether a stamp lies within begin and end, to the microsecond that text gives them with.

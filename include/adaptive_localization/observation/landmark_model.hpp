@@ -41,6 +41,10 @@ struct LandmarkOptions {
   }
 };
 
+/// The landmarks in the landmark_map; none without one. Throws std::invalid_argument naming the
+/// option, the file and what is wrong with it.
+LandmarkMap knownLandmarks(const LandmarkOptions& options);
+
 /// What sightings of landmarks say of a pose. With f the share of false sightings, d the
 /// Mahalanobis distance between the range and bearing of a sighting and those expected of a
 /// landmark,

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/PointCloud.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adaptive_localization/core/landmark_topics.hpp"
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
+#include "heading_ear.hpp"
+
+namespace adaptive_localization {
+
+/// What was sighted at one instant, from where base was then.
+struct Picture {
+  double stamp{0.0};  // s
+  std::vector<Sighting> sightings;
+};
+
+/// Adds what a picture shows to the landmarks of an instant, `now` in s, as seen from where base is
+/// by then. A picture of half a second before tells nothing any more.
+void tell(const Picture& picture, const Pose2& T_now_then, double now,
+          std::optional<std::vector<Sighting>>& landmarks);
+
+/// Hears sightings of landmarks, by messages live or from a bag. What cannot be used is dropped,
+/// counted, and said why. A message waits until it can be placed: first it is accepted, then read.
+class SightingEar {
+ public:
+  using Complain = std::function<void(const std::string& why)>;
+
+  /// Throws std::invalid_argument where there is a topic, but no landmark is known.
+  SightingEar(const LandmarkTopics& topics, LandmarkMap known, Complain complain);
+
+  /// Whether this is the topic, with or without the slash in front.
+  bool listensTo(const std::string& topic) const;
+
+  /// False for a message without a frame, or whose stamp is out of range or does not come after
+  /// that of the last one that was read.
+  bool accept(const sensor_msgs::PointCloud& message);
+
+  /// What an accepted message tells of known landmarks; nothing if it makes no sense.
+  std::optional<Picture> read(const sensor_msgs::PointCloud& message,
+                              const Eigen::Isometry3d& T_base_sensor);
+
+  /// An accepted message that cannot be read.
+  void drop(const std::string& why);
+
+  /// Messages, and those of which something was dropped.
+  const Heard& heard() const { return heard_; }
+
+  const LandmarkMap& known() const { return known_; }
+
+  /// Stamp of the last message that was read; zero before there is one.
+  const ros::Time& last() const { return last_; }
+
+  /// Time jumped back: what was heard is of another time.
+  void forget() { last_ = {}; }
+
+ private:
+  std::string faultOf(const sensor_msgs::PointCloud& message) const;
+
+  const LandmarkTopics& topics_;  // the owner's, which may change
+  LandmarkMap known_;
+  Complain complain_;
+  Heard heard_;
+  ros::Time last_;
+};
+
+}  // namespace adaptive_localization
