@@ -52,7 +52,7 @@ std::vector<Place> GlobalSearch::find(const Scan& scan) const {
                      scan);
   SearchWork unlimited = kUnlimitedWork;
   search.advance(unlimited);
-  return search.takePlaces();
+  return search.places({}, scan);
 }
 
 std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) const {

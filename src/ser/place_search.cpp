@@ -16,17 +16,16 @@ constexpr SearchWork kComparisons = 4;  // with places that are distinct, like l
 
 }  // namespace
 
-PlaceSearch::PlaceSearch(std::shared_ptr<const GlobalSearch> search, Scan scan)
-    : search_(std::move(search)), scan_(std::move(scan)) {
-  const DirectionalScan beams = toDirections(scan_, search_->geometry());
-  if (scan_.hits() > 0 && beams.valid > 0) pose_search_ = search_->begin(beams);
-  refiner_ = search_->refinerFor(scan_);
+PlaceSearch::PlaceSearch(std::shared_ptr<const GlobalSearch> search, const Scan& scan)
+    : search_(std::move(search)) {
+  const DirectionalScan beams = toDirections(scan, search_->geometry());
+  if (scan.hits() > 0 && beams.valid > 0) pose_search_ = search_->begin(beams);
 }
 
 PlaceSearch::~PlaceSearch() = default;
 
 bool PlaceSearch::advance(SearchWork& left) {
-  return findPoses(left) && partPoses(left) && refine(left);
+  return findPoses(left) && partPoses(left);
 }
 
 bool PlaceSearch::findPoses(SearchWork& left) {
@@ -60,19 +59,17 @@ bool PlaceSearch::partPoses(SearchWork& left) {
   return true;
 }
 
-bool PlaceSearch::refine(SearchWork& left) {
-  while (places_.size() < distinct_.size()) {
-    if (left <= 0) return false;
-    places_.push_back(refiner_->refine(distinct_[places_.size()]));
-    left -= kRefinedPlace;
-  }
-  return true;
+SearchWork PlaceSearch::lastWork() const {
+  return kRefinedPlace * static_cast<SearchWork>(distinct_.size());
 }
 
-std::vector<Place> PlaceSearch::takePlaces() {
-  std::stable_sort(places_.begin(), places_.end(),
+std::vector<Place> PlaceSearch::places(const Pose2& motion, const Scan& scan) const {
+  const auto refiner = search_->refinerFor(scan);
+  std::vector<Place> places;
+  for (const Pose2& pose : distinct_) places.push_back(refiner->refine(pose * motion));
+  std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.error < b.error; });
-  return distinctPlaces(places_);
+  return distinctPlaces(places);
 }
 
 }  // namespace adaptive_localization

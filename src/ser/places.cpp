@@ -133,12 +133,13 @@ bool Places::isReadyFor(const Scan& scan) {
 
 void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
   constexpr double kStale = 3.0;  // m or rad, after which odometry tells too little
+  constexpr int kForgotten = 10;  // updates, after which nobody wants to know any more
   const Pose2 motion = between(T_odom_base_, T_odom_base);
   T_odom_base_ = T_odom_base;
   way_ += std::hypot(motion.x, motion.y) + std::abs(motion.theta);
   work_left_ = work;
   if (!question_) return;
-  if (!(way_ < kStale)) {
+  if (!(way_ < kStale) || ++unasked_ > kForgotten) {
     question_.reset();
   } else {
     question_->search->advance(work_left_);
@@ -156,10 +157,11 @@ std::optional<std::vector<Place>> Places::search(const Observations& observation
         Question{T_odom_base_, std::make_shared<PlaceSearch>(entry->search, observations.scan)};
     way_ = 0.0;
   }
+  unasked_ = 0;
   if (!question_->search->advance(work_left_)) return std::nullopt;
-  found_ = question_->search->takePlaces();
-  const Pose2 since = between(question_->T_odom_base, T_odom_base_);
-  for (Place& place : found_) place.T_map_base = place.T_map_base * since;
+  found_ =
+      question_->search->places(between(question_->T_odom_base, T_odom_base_), observations.scan);
+  work_left_ -= question_->search->lastWork();
   question_.reset();
   searched_ = observations;
   return found_;

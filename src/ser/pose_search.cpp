@@ -11,7 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kHeadingsPerGroup = 3;
-constexpr std::size_t kBlocksAtOnce = 1024;
+constexpr std::size_t kBlocksAtOnce = 512;
 constexpr SearchWork kBoundsPerPose = 4;  // which lie one after the other in memory
 
 const RangeKernel kSumOfDistances = fastestSumOfDistances();
@@ -49,7 +49,7 @@ bool PoseSearch::bound(SearchWork& left) {
   bounds_.resize(blocks.size() * per_block);
   while (bounded_ < blocks.size() && left > 0) {
     const std::size_t count = std::min(kBlocksAtOnce, blocks.size() - bounded_);
-    parallelFor(count, 256, [&](const Chunk& chunk) {
+    parallelFor(count, 128, [&](const Chunk& chunk) {
       for (std::size_t b = bounded_ + chunk.begin; b < bounded_ + chunk.end; ++b) {
         for (int g = 0; g < groups_.size(); ++g) {
           bounds_[b * per_block + static_cast<std::size_t>(g)] = static_cast<std::uint16_t>(

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "adaptive_localization/ser/places.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
@@ -28,12 +29,16 @@ class KidnappedRobot : public testing::Test {
     return std::make_unique<Localizer>(parameters, map_);
   }
 
+  void track(Localizer& localizer) const {
+    localizer.reset(Gaussian2{kHere, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
+    for (int i = 0; i < 40; ++i) update(localizer, {}, seenFrom(kHere));  // 4 s of a laser
+  }
+
   std::unique_ptr<Localizer> makeTracking(const std::string& name,
                                           const std::string& preset = "recommended",
                                           int seed = 1) const {
     auto localizer = make(name, preset, seed);
-    localizer->reset(Gaussian2{kHere, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
-    for (int i = 0; i < 40; ++i) update(*localizer, {}, seenFrom(kHere));  // 4 s of a laser
+    track(*localizer);
     return localizer;
   }
 
@@ -68,6 +73,30 @@ TEST_F(KidnappedRobot, IsFoundWithinThreeScansByAllThatRecover) {
     }
   }
   EXPECT_EQ(scansUntilFound(*makeTracking("kld"), kThere), 100);
+}
+
+/// Also where what may be searched in an update is a small part of what it takes.
+TEST_F(KidnappedRobot, IsFoundByASearchInParts) {
+  constexpr SearchWork kStep = 10000;  // of a search, at the most
+  for (const std::string& core : kCoresThatRecover) {
+    const auto field = std::make_shared<const DistanceField>(*map_);
+    const auto places =
+        std::make_shared<Places>(map_, field, EnergyGridOptions{}, GlobalSearchOptions{});
+    Parameters parameters;
+    parameters.set("filter", core);
+    parameters.set("update_budget", 0.05);  // ms, 2000 poses
+    Localizer localizer(parameters, Ground(map_, field, places));
+    track(localizer);
+    int scans = 0;
+    bool is_found = false;
+    for (; scans < 60 && !is_found; ++scans) {
+      const Localization answer = update(localizer, {}, seenFrom(kThere));
+      is_found = testing::Value(answer.T_map_base, PoseNear(kThere, 0.15, 0.087));
+      EXPECT_GT(places->workLeft(), -kStep) << core << ", scan " << scans;
+    }
+    EXPECT_TRUE(is_found) << core;
+    EXPECT_GT(scans, 3) << core << ": as if it were searched for at once";
+  }
 }
 
 TEST_F(KidnappedRobot, IsFoundByThePresetsOfTheSources) {

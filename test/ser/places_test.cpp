@@ -126,29 +126,44 @@ TEST(Places, AreWhereTheScanWasTaken) {
   EXPECT_THAT(others->front().T_map_base, PoseNear(Pose2{1.0, 1.0, 0.3}, 0.05, 0.03));
 }
 
-/// The same as at once, moved along with the robot; and no update does more than it may.
+/// The same as at once, and no update does more than it may.
 TEST(Places, AreSearchedForInParts) {
   constexpr SearchWork kWork = 200;
-  Places places = placesOf(asymmetricWorld());
-  const auto at_once = places.search({1.0, scanOf(181)});
+  const Observations seen{1.0, scanOf(181)};
+  const auto at_once = placesOf(asymmetricWorld()).search(seen);
   Places in_parts = placesOf(asymmetricWorld());
   std::optional<std::vector<Place>> answer;
-  Pose2 T_odom_base{5.0, 2.0, 0.7};
-  const Pose2 motion{0.01, 0.0, 0.005};
-  Pose2 moved;
   int updates = 0;
   for (; !answer && updates < 1000; ++updates) {
-    if (updates > 0) moved = moved * motion;
-    in_parts.beginUpdate(T_odom_base * moved, kWork);
-    answer = in_parts.search({1.0 + updates, updates == 0 ? scanOf(181) : scanOf(91)});
+    in_parts.beginUpdate({5.0, 2.0, 0.7}, kWork);
+    answer = in_parts.search(seen);
   }
   EXPECT_GT(updates, 3);
   ASSERT_TRUE(answer && at_once);
   ASSERT_EQ(answer->size(), at_once->size());
   for (std::size_t i = 0; i < answer->size(); ++i) {
-    EXPECT_THAT((*answer)[i].T_map_base, PoseNear((*at_once)[i].T_map_base * moved, 1e-9, 1e-9));
+    EXPECT_THAT((*answer)[i].T_map_base, PoseNear((*at_once)[i].T_map_base, 1e-12, 1e-12));
     EXPECT_EQ((*answer)[i].error, (*at_once)[i].error);
   }
+}
+
+/// What the first scan began, the last one judges, from where the robot is by then.
+TEST(Places, RideOnTheOdometryWhileTheyAreSearchedFor) {
+  const auto searchAlong = [](const Pose2& by_odometry, const Pose2& in_truth) {
+    Places places = placesOf(asymmetricWorld());
+    places.beginUpdate({}, 1);
+    EXPECT_FALSE(places.search({1.0, scanOf(181)}));
+    places.beginUpdate(by_odometry, kUnlimitedWork);
+    ToyLaser laser = kHalfCircle;
+    return places.search({2.0, toScan(laser.read(asymmetricWorld(), in_truth))}).value();
+  };
+  const Pose2 motion{0.3, 0.0, 0.2};
+  const auto driven = searchAlong(motion, kTruth * motion);
+  ASSERT_FALSE(driven.empty());
+  EXPECT_THAT(driven.front().T_map_base, PoseNear(kTruth * motion, 0.05, 0.03));
+  EXPECT_LT(driven.front().error, 0.05);
+  const auto carried = searchAlong(motion, {1.0, 1.0, 0.3});
+  for (const Place& place : carried) EXPECT_GT(place.error, 0.1) << "it is at none of them";
 }
 
 TEST(Places, ForgetAQuestionThatTheRobotLeftBehind) {

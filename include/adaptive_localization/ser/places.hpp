@@ -37,10 +37,15 @@ class Places {
   /// goes on. Until this is called for the first time there is no limit.
   void beginUpdate(const Pose2& T_odom_base, SearchWork work);
 
+  /// Of this update's work; below 0 by one step of a search at the most.
+  SearchWork workLeft() const { return work_left_; }
+
   /// The places where the robot can be by this scan, most likely first; empty while the grid is
   /// being made and for a scan without hits. Nothing if the work that may be done does not suffice:
   /// ask again at the next scan. What is answered then was searched for by the scan that was asked
-  /// about first, and rides on the odometry since. The answer to the same scan again is remembered.
+  /// about first, rides on the odometry since, and is judged by the scan that is asked about now: a
+  /// robot that was carried on meanwhile is at none of those places. The answer to the same scan
+  /// again is remembered.
   std::optional<std::vector<Place>> search(const Observations& observations);
 
   /// Whether search() tells as much of this scan as it will: false while the first grid is being
@@ -97,6 +102,7 @@ class Places {
   std::set<std::string> said_;            // all warnings
   Pose2 T_odom_base_;                     // at this update
   double way_{0.0};                       // m or rad, since the question
+  int unasked_{0};                        // updates in a row in which nobody asked
   SearchWork work_left_{kUnlimitedWork};  // in this update
   std::optional<Question> question_;
   std::optional<Observations> searched_;  // what found_ is the answer to
