@@ -56,7 +56,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       places_(node),
       map_builder_(node, options_, [this](const Ground& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
-            [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
+            [this](auto&& map) { return map_builder_.build(std::move(map), !localizer_); }),
       diagnostics_(node, options_, [this] { return health(); }),
       reconfigure_(private_node, parameter_writer_, parameters_,
                    [this](const auto& all) { return configure(all); }) {}
@@ -245,7 +245,7 @@ void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
 bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
                                 nav_msgs::SetMap::Response& response) {
   const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
-  response.success = pose && map_builder_.build(request.map, true);
+  response.success = pose && map_builder_.build(std::move(request.map), true);
   if (!response.success) return true;
   maps_.stopAsking();
   start(*pose);
