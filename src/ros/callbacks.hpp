@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "adaptive_localization/core/error_text.hpp"
@@ -29,15 +30,25 @@ std::function<Result(Arguments...)> guarded(std::string what,
   };
 }
 
-/// Hears messages of a topic; one that its handler fails at is dropped.
-template <class Message>
+/// Hears messages of a topic; one that its handler fails at is dropped. A handler of pointers to
+/// messages that are not constant may take them apart: it gets a copy if anybody else has one.
+template <class Message, class Pointer = typename Message::ConstPtr>
 ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
-                          std::function<void(const typename Message::ConstPtr&)> handler) {
-  using Pointer = typename Message::ConstPtr;
-  return node.subscribe<Message>(
+                          std::function<void(const std::common_type_t<Pointer>&)> handler) {
+  return node.subscribe<Message, const Pointer&>(
       topic, queue,
       boost::function<void(const Pointer&)>(
           guarded("Message on topic '" + topic + "' ignored", std::move(handler))));
+}
+
+/// A latched topic whose publisher is told when somebody subscribes to it.
+template <class Message>
+ros::Publisher advertiseLatched(ros::NodeHandle& node, const std::string& topic,
+                                std::uint32_t queue, std::function<void()> on_subscriber) {
+  const auto call = guarded("Subscriber of topic '" + topic + "'", std::move(on_subscriber));
+  return node.advertise<Message>(
+      topic, queue, [call](const ros::SingleSubscriberPublisher&) { call(); },
+      ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 }
 
 /// Serves a service; a request that its handler fails at is refused.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate_publisher.hpp"
 
-#include <geometry_msgs/PoseArray.h>
-#include <geometry_msgs/PoseWithCovarianceStamped.h>
-#include <std_msgs/Float32.h>
-
 #include <algorithm>
+#include <utility>
 
 #include "callbacks.hpp"
 #include "conversions.hpp"
@@ -29,12 +26,12 @@ constexpr std::size_t kModesSent = 100;
 EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle private_node,
                                      const NodeOptions& options)
     : options_(options),
-      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true)),
-      cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
-      modes_(private_node.advertise<geometry_msgs::PoseArray>("modes", 2, true)),
-      leaders_(private_node.advertise<geometry_msgs::PoseArray>("leaders", 2, true)),
-      confidence_(private_node.advertise<std_msgs::Float32>("confidence", 2, true)),
-      status_(private_node.advertise<DiagnosticStatus>("status", 2, true)) {
+      pose_topic_(node, "amcl_pose", [this] { return pose(); }),
+      cloud_topic_(node, "particlecloud", [this] { return cloud(); }),
+      modes_topic_(private_node, "modes", [this] { return modes(); }),
+      leaders_topic_(private_node, "leaders", [this] { return leaders(); }),
+      confidence_topic_(private_node, "confidence", [this] { return confidence(); }),
+      status_topic_(private_node, "status", [this] { return status(); }) {
   if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
   timer_ = every(node, ros::Duration(1.0 / options.tf_rate), "Transform", [this] {
     if (T_map_odom_) sendTransform(*T_map_odom_, ros::Time::now());
@@ -42,68 +39,107 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
 }
 
 void EstimatePublisher::publish(const Localization& answer, const Particles& particles,
-                                const ros::Time& stamp) {
+                                const ros::Time& stamp,
+                                const std::optional<ros::SteadyTime>& scan_arrival) {
   if (answer.updated) {
-    geometry_msgs::PoseWithCovarianceStamped pose;
-    pose.header.stamp = stamp;
-    pose.header.frame_id = options_.global_frame_id;
-    pose.pose = toMessage(answer.T_map_base, answer.covariance);
-    pose_.publish(pose);
-
-    geometry_msgs::PoseArray cloud = toMessage(particles);
-    cloud.header.stamp = ros::Time::now();
-    cloud.header.frame_id = options_.global_frame_id;
-    cloud_.publish(cloud);
-    publishModes(answer.modes, stamp);
+    update_.stamp = stamp;
+    update_.made = ros::Time::now();
+    update_.answer = answer;
+    update_.particles = particles;
+    pose_topic_.publish();
+    cloud_topic_.publish();
+    modes_topic_.publish();
   }
   T_map_odom_ = answer.T_map_odom;
+  unsent_.reset();
+  if (scan_arrival) unsent_ = ScanTimes{stamp, *scan_arrival};
   if (options_.tf_broadcast && options_.tf_rate <= 0.0) sendTransform(answer.T_map_odom, stamp);
-  std_msgs::Float32 confidence;
-  confidence.data = static_cast<float>(answer.confidence);
-  confidence_.publish(confidence);
-}
-
-/// Heaviest first; their masses are in the status.
-void EstimatePublisher::publishModes(const std::vector<Mode>& modes, const ros::Time& stamp) {
-  geometry_msgs::PoseArray message;
-  message.header.stamp = stamp;
-  message.header.frame_id = options_.global_frame_id;
-  for (std::size_t i = 0; i < std::min(modes.size(), kModesSent); ++i) {
-    message.poses.push_back(toPoseMessage(modes[i].T_map_base));
-  }
-  modes_.publish(message);
+  confidence_ = answer.confidence;
+  confidence_topic_.publish();
 }
 
 void EstimatePublisher::publishLeaders(const Particles& leaders, const ros::Time& stamp) {
-  if (leaders.size() == 0 && !has_leaders_) return;
-  has_leaders_ = leaders.size() > 0;
-  geometry_msgs::PoseArray message = toMessage(leaders);
-  message.header.stamp = stamp;
-  message.header.frame_id = options_.global_frame_id;
-  leaders_.publish(message);
+  if (leaders.size() == 0 && leaders_.size() == 0) return;
+  leaders_ = leaders;
+  leaders_stamp_ = stamp;
+  leaders_topic_.publish();
+}
+
+void EstimatePublisher::publishStatus(const Localization& answer, const Figures& figures) {
+  answer_ = answer;
+  figures_ = figures;
+  status_topic_.publish();
 }
 
 void EstimatePublisher::sendTransform(const Pose2& T_map_odom, const ros::Time& stamp) {
   if (stamp <= sent_) return;  // tf complains about a stamp given twice; two lasers may share one
   sent_ = stamp;
   geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp + ros::Duration(options_.transform_tolerance);
-  transform.header.frame_id = options_.global_frame_id;
+  transform.header = headerAt(stamp + ros::Duration(options_.transform_tolerance));
   transform.child_frame_id = options_.odom_frame_id;
   transform.transform = toTransformMessage(T_map_odom);
   broadcaster_.sendTransform(transform);
+  const auto scan = std::exchange(unsent_, std::nullopt);
+  if (!scan) return;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  latency_.add(now.toSec(), ros::Time::now().toSec() - scan->stamp.toSec(),
+               (now - scan->arrival).toSec());
 }
 
-void EstimatePublisher::publishStatus(const Localization& answer, const ros::Time& stamp,
-                                      const Match* match, Eigen::Index particles,
-                                      double ms_per_update, const ScanSource::Counts& scans,
-                                      const std::vector<SenseStatus>& senses) {
+Latency::Minute EstimatePublisher::latency() const {
+  return latency_.lastMinute(ros::SteadyTime::now().toSec());
+}
+
+std_msgs::Header EstimatePublisher::headerAt(const ros::Time& stamp) const {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = options_.global_frame_id;
+  return header;
+}
+
+geometry_msgs::PoseWithCovarianceStamped EstimatePublisher::pose() const {
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header = headerAt(update_.stamp);
+  message.pose = toMessage(update_.answer.T_map_base, update_.answer.covariance);
+  return message;
+}
+
+geometry_msgs::PoseArray EstimatePublisher::cloud() const {
+  geometry_msgs::PoseArray message = toMessage(update_.particles);
+  message.header = headerAt(update_.made);
+  return message;
+}
+
+/// Heaviest first; their masses are in the status.
+geometry_msgs::PoseArray EstimatePublisher::modes() const {
+  geometry_msgs::PoseArray message;
+  message.header = headerAt(update_.stamp);
+  const auto& modes = update_.answer.modes;
+  for (std::size_t i = 0; i < std::min(modes.size(), kModesSent); ++i) {
+    message.poses.push_back(toPoseMessage(modes[i].T_map_base));
+  }
+  return message;
+}
+
+geometry_msgs::PoseArray EstimatePublisher::leaders() const {
+  geometry_msgs::PoseArray message = toMessage(leaders_);
+  message.header = headerAt(leaders_stamp_);
+  return message;
+}
+
+std_msgs::Float32 EstimatePublisher::confidence() const {
+  std_msgs::Float32 message;
+  message.data = static_cast<float>(confidence_);
+  return message;
+}
+
+DiagnosticStatus EstimatePublisher::status() const {
   DiagnosticStatus status =
-      makeStatus("localization", levelOf(answer.status), toText(answer.status));
-  add(status, "stamp", print("%u.%09u", stamp.sec, stamp.nsec));
-  add(status, "updated", answer.updated ? "yes" : "no");
-  add(status, "confidence", print("%.3f", answer.confidence));
-  const auto& modes = answer.modes;
+      makeStatus("localization", levelOf(answer_.status), toText(answer_.status));
+  add(status, "stamp", print("%u.%09u", figures_.stamp.sec, figures_.stamp.nsec));
+  add(status, "updated", answer_.updated ? "yes" : "no");
+  add(status, "confidence", print("%.3f", answer_.confidence));
+  const auto& modes = answer_.modes;
   add(status, "modes", std::to_string(modes.size()));
   for (std::size_t i = 0; i < std::min(modes.size(), kModesInStatus); ++i) {
     const Pose2& pose = modes[i].T_map_base;
@@ -111,15 +147,16 @@ void EstimatePublisher::publishStatus(const Localization& answer, const ros::Tim
         print("mass %.3f at x %.3f m, y %.3f m, yaw %.1f deg", modes[i].mass, pose.x, pose.y,
               pose.theta * 180.0 / kPi));
   }
-  if (match) {
-    add(status, "match", match->isGood() ? "used" : toText(match->fault));
-    add(status, "match inliers", print("%.3f", match->inlier_ratio));
+  if (figures_.match) {
+    const bool is_good = *figures_.match == MatchFault::kNone;
+    add(status, "match", is_good ? "used" : toText(*figures_.match));
+    add(status, "match inliers", print("%.3f", figures_.match_inliers));
   }
-  add(status, "particles", std::to_string(particles));
-  add(status, "ms per update", print("%.3f", ms_per_update));
-  addCounts(status, scans);
-  addSenses(status, senses);
-  status_.publish(status);
+  add(status, "particles", std::to_string(figures_.particles));
+  add(status, "ms per update", print("%.3f", figures_.ms_per_update));
+  addCounts(status, figures_.scans);
+  addSenses(status, figures_.senses);
+  return status;
 }
 
 }  // namespace adaptive_localization

@@ -64,6 +64,7 @@ void FiducialNode::onCamera(const sensor_msgs::CameraInfo& message) {
 }
 
 void FiducialNode::onImage(const sensor_msgs::Image& message) {
+  if (landmarks_.getNumSubscribers() == 0) return;
   try {
     if (!camera_) {
       throw std::invalid_argument("there is no calibration on " + cameras_.getTopic() +

@@ -28,7 +28,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       pose_keeper_(parameter_writer_, options_.save_pose_rate, options_.pose_file),
       scans_(
           node, tf_, tf_input_, options_,
-          [this](const auto& scan, const auto& mount) { return onScan(scan, mount); },
+          [this](const auto& scan, const auto& mount, const auto& arrival) {
+            return onScan(scan, mount, arrival);
+          },
           [this](double seconds) { onTimeJump(seconds); }),
       headings_(node, tf_, odometry_, options_),
       landmarks_(node, tf_, tf_input_, odometry_, options_,
@@ -48,7 +50,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       places_(node),
       map_builder_(node, options_, [this](const Ground& map) { onMap(map); }),
       maps_(node, options_.use_map_topic, options_.first_map_only,
-            [this](const auto& map) { return map_builder_.build(map, !localizer_); }),
+            [this](auto&& map) { return map_builder_.build(std::move(map), !localizer_); }),
       diagnostics_(node, options_, [this] { return health(); }),
       reconfigure_(private_node, parameter_writer_, parameters_,
                    [this](const auto& all) { return configure(all); }) {}
@@ -81,7 +83,8 @@ void LocalizationNode::onMap(const Ground& map) {
   map_ = map;
 }
 
-bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount) {
+bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,
+                              const ros::SteadyTime& arrival) {
   if (!localizer_) return false;
   const ros::Time& stamp = message.header.stamp;
   std::string why;
@@ -103,7 +106,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
     observations.landmarks = reflectorsIn(laser_scan, message.intensities, mount, least);
   }
   last_scan_ = stamp;
-  localize(*T_odom_base, std::move(observations), stamp);
+  localize(*T_odom_base, std::move(observations), stamp, arrival);
   return true;
 }
 
@@ -112,12 +115,13 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
 void LocalizationNode::onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base) {
   constexpr double kSilence = 1.0;  // s
   const bool is_silent = !last_scan_.isZero() && std::abs((stamp - last_scan_).toSec()) > kSilence;
-  if (localizer_ && (!scans_.hasTopics() || is_silent)) localize(T_odom_base, {}, stamp);
+  if (localizer_ && (!scans_.hasTopics() || is_silent)) localize(T_odom_base, {}, stamp, {});
 }
 
-/// By a scan, and what other senses have to add.
+/// By a scan, if there is one, and what other senses have to add.
 void LocalizationNode::localize(const Pose2& T_odom_base, Observations observations,
-                                const ros::Time& stamp) {
+                                const ros::Time& stamp,
+                                const std::optional<ros::SteadyTime>& scan_arrival) {
   if (!odometry_watch_.goesOn(stamp, T_odom_base) && answer_) {
     ROS_WARN("Odometry jumped: starting anew around the last pose");
     startAround(*answer_);
@@ -133,15 +137,13 @@ void LocalizationNode::localize(const Pose2& T_odom_base, Observations observati
 
   answer_ = answer;
   requestFollowUps();
-  const Particles& particles = localizer_->hypotheses();
   if (answer.status != Status::kUninitialised) {
-    publisher_.publish(answer, particles, stamp);
+    publisher_.publish(answer, localizer_->hypotheses(), stamp, scan_arrival);
     if (answer.updated) publisher_.publishLeaders(localizer_->leaders(), stamp);
     pose_keeper_.keep({answer.T_map_base, answer.covariance}, stamp);
   }
+  publisher_.publishStatus(answer, figures(stamp));
   const Match* match = scans_.hasTopics() ? localizer_->match() : nullptr;
-  publisher_.publishStatus(answer, stamp, match, particles.size(), ms_per_update_, scans_.counts(),
-                           senses());
   display_.show(answer, observations.scan, match, localizer_->places(), stamp);
   if (!observations.landmarks) return;
   display_.showLandmarks(landmarks_.known(), answer.T_map_base, *observations.landmarks, stamp);
@@ -189,45 +191,6 @@ void LocalizationNode::requestFollowUps() {
   }
 }
 
-NodeHealth LocalizationNode::health() const {
-  NodeHealth health;
-  health.scans = scans_.counts();
-  health.senses = senses();
-  const bool wants_pose =
-      localizer_ ? answer_ && answer_->status == Status::kUninitialised : !prior_.has_value();
-  const auto lack = [&](const std::string& what) {
-    if (!what.empty()) health.missing += (health.missing.empty() ? "" : "; ") + what;
-  };
-  lack(scans_.missing());
-  if (!localizer_) lack("a map on " + maps_.name());
-  health.is_as_told = wants_pose && health.missing.empty();
-  if (wants_pose) lack("an initial pose");
-  if (answer_ && answer_->status != Status::kUninitialised) {
-    health.covariance = answer_->covariance;
-  }
-  const bool is_matched = localizer_ && scans_.hasTopics();
-  if (const Match* match = is_matched ? localizer_->match() : nullptr) health.match = match->fault;
-  return health;
-}
-
-/// What is heard by senses beside the laser, and what becomes of it.
-std::vector<SenseStatus> LocalizationNode::senses() const {
-  std::vector<SenseStatus> all;
-  for (const SenseHealth& sense : headings_.health()) {
-    const bool is_heard = sense.missing.empty();
-    const std::string use = !localizer_               ? "no map yet"
-                            : sense.name == "compass" ? localizer_->compass().state()
-                                                      : localizer_->gyroscope().state();
-    all.push_back({sense, is_heard ? use : sense.missing, is_heard && use != "disturbed"});
-  }
-  for (const auto& sense : {landmarks_.health(), sonars_.health()}) {
-    if (!sense) continue;
-    const bool is_heard = sense->missing.empty();
-    all.push_back({*sense, is_heard ? "used" : sense->missing, is_heard});
-  }
-  return all;
-}
-
 void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
   const auto pose = readInitialPose(message, options_.global_frame_id, odometry_);
   if (!pose) return;
@@ -238,7 +201,7 @@ void LocalizationNode::onInitialPose(const PoseWithCovarianceStamped& message) {
 bool LocalizationNode::onSetMap(nav_msgs::SetMap::Request& request,
                                 nav_msgs::SetMap::Response& response) {
   const auto pose = readInitialPose(request.initial_pose, options_.global_frame_id, odometry_);
-  response.success = pose && map_builder_.build(request.map, true);
+  response.success = pose && map_builder_.build(std::move(request.map), true);
   if (!response.success) return true;
   maps_.stopAsking();
   start(*pose);

@@ -56,9 +56,11 @@ class LocalizationNode {
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
   void onMap(const Ground& map);
-  bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount);
+  bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,
+              const ros::SteadyTime& arrival);
   void onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base);
-  void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp);
+  void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp,
+                const std::optional<ros::SteadyTime>& scan_arrival);
   void onTimeJump(double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
   bool onGlobalLocalization();
@@ -68,6 +70,7 @@ class LocalizationNode {
   void start(const Prior& prior);
   void startAround(const Localization& known);
   void requestFollowUps();
+  EstimatePublisher::Figures figures(const ros::Time& stamp) const;
   NodeHealth health() const;
   std::vector<SenseStatus> senses() const;
 

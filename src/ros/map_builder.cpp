@@ -38,9 +38,10 @@ void checkMemory(const OccupancyGrid& grid) {
 }
 
 /// A map that can be used, or an exception that says why it cannot be.
-std::shared_ptr<const OccupancyGrid> usableGrid(const nav_msgs::OccupancyGrid& message,
+std::shared_ptr<const OccupancyGrid> usableGrid(nav_msgs::OccupancyGrid&& message,
                                                 bool origin_is_cell_center) {
-  auto grid = std::make_shared<const OccupancyGrid>(toGrid(message, origin_is_cell_center));
+  auto grid =
+      std::make_shared<const OccupancyGrid>(toGrid(std::move(message), origin_is_cell_center));
   if (grid->countFree() == 0) throw std::invalid_argument("map: got no free cell");
   checkMemory(*grid);
   return grid;
@@ -59,14 +60,14 @@ MapBuilder::MapBuilder(ros::NodeHandle node, const NodeOptions& options, User us
       node, kPollPeriod, "Map", [this] { poll(); }, false);
 }
 
-bool MapBuilder::build(const nav_msgs::OccupancyGrid& message, bool wait) {
+bool MapBuilder::build(nav_msgs::OccupancyGrid&& message, bool wait) {
   const std::string frame = withoutLeadingSlash(message.header.frame_id);
   if (frame != options_.global_frame_id) {
     ROS_WARN("The map's frame is '%s', but global_frame_id is '%s'", frame.c_str(),
              options_.global_frame_id.c_str());
   }
   const auto grid =
-      outcomeOf([&] { return usableGrid(message, options_.map_origin_is_cell_center); });
+      outcomeOf([&] { return usableGrid(std::move(message), options_.map_origin_is_cell_center); });
   if (!grid.value) return refuse(grid.error);
   if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }))) return false;
   giveUp();

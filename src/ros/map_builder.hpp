@@ -23,9 +23,9 @@ class MapBuilder {
   MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user);
 
   /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built. The newest
-  /// counts: what is still being built before it is given up. False, and an error in the log, if
-  /// the map cannot be used.
-  bool build(const nav_msgs::OccupancyGrid& message, bool wait);
+  /// counts: what is still being built before it is given up. The message's cells become the map's.
+  /// False, and an error in the log, if the map cannot be used.
+  bool build(nav_msgs::OccupancyGrid&& message, bool wait);
 
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;

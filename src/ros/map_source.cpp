@@ -12,8 +12,8 @@ namespace adaptive_localization {
 MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback)
     : callback_(std::move(callback)), first_only_(first_only) {
   if (use_topic) {
-    subscriber_ = subscribe<nav_msgs::OccupancyGrid>(node, "map", 1,
-                                                     [this](const auto& map) { onTopic(map); });
+    subscriber_ = subscribe<nav_msgs::OccupancyGrid, nav_msgs::OccupancyGrid::Ptr>(
+        node, "map", 1, [this](const auto& map) { onTopic(*map); });
     name_ = "topic " + subscriber_.getTopic();
     ROS_INFO("Waiting for a map on %s", name_.c_str());
     return;
@@ -24,14 +24,14 @@ MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Call
   ROS_INFO("Waiting for a map from %s", name_.c_str());
 }
 
-void MapSource::onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map) {
-  if (callback_(*map) && first_only_) subscriber_.shutdown();
+void MapSource::onTopic(nav_msgs::OccupancyGrid& map) {
+  if (callback_(std::move(map)) && first_only_) subscriber_.shutdown();
 }
 
 void MapSource::ask() {
   nav_msgs::GetMap request;
   if (!service_.exists() || !service_.call(request)) return;  // the node says what it waits for
-  if (callback_(request.response.map)) timer_.stop();
+  if (callback_(std::move(request.response.map))) timer_.stop();
 }
 
 }  // namespace adaptive_localization

@@ -13,7 +13,8 @@ namespace adaptive_localization {
 /// until it answers with a map that can be used, without holding up anything else.
 class MapSource {
  public:
-  using Callback = std::function<bool(const nav_msgs::OccupancyGrid&)>;  // whether it can be used
+  /// Is given the message, which may be large, to take apart; says whether it can be used.
+  using Callback = std::function<bool(nav_msgs::OccupancyGrid&&)>;
 
   MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback);
 
@@ -24,7 +25,7 @@ class MapSource {
   void stopAsking() { timer_.stop(); }
 
  private:
-  void onTopic(const nav_msgs::OccupancyGrid::ConstPtr& map);
+  void onTopic(nav_msgs::OccupancyGrid& map);
   void ask();
 
   Callback callback_;

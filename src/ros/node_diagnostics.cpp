@@ -4,6 +4,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "callbacks.hpp"
@@ -61,6 +62,54 @@ DiagnosticStatus matchStatus(MatchFault fault) {
                     fine ? "OK" : "Refused: " + toText(fault));
 }
 
+/// What is wrong, in plain words; empty: nothing.
+std::string lateness(const Latency::Minute& minute) {
+  std::string text;
+  if (minute.isLate()) {
+    text = print("Late: of 100 scans one takes %.0f ms or more, and they come every %.0f ms",
+                 1e3 * minute.from_arrival.p99, 1e3 * minute.period);
+  }
+  if (minute.isOtherClock()) {
+    text += (text.empty() ? "" : "; ") +
+            print("Stamps are not of this clock: of %d scans %d are from the future and %d are old",
+                  minute.scans, minute.from_future, minute.from_past);
+  }
+  return text;
+}
+
+void addFigures(DiagnosticStatus& status, const std::string& since,
+                const Latency::Figures& figures) {
+  add(status, "ms from " + since + ", median", print("%.1f", 1e3 * figures.median));
+  add(status, "ms from " + since + ", p99", print("%.1f", 1e3 * figures.p99));
+  add(status, "ms from " + since + ", max", print("%.1f", 1e3 * figures.max));
+}
+
+DiagnosticStatus latencyStatus(const Latency::Minute& minute, double processor_share) {
+  const std::string trouble = lateness(minute);
+  DiagnosticStatus status =
+      makeStatus("Latency", trouble.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                 !trouble.empty()    ? trouble
+                 : minute.scans == 0 ? "No scan led to a transform"
+                                     : "OK");
+  add(status, "scans", std::to_string(minute.scans));
+  if (minute.scans > 0) {
+    addFigures(status, "stamp", minute.from_stamp);
+    addFigures(status, "arrival", minute.from_arrival);
+    add(status, "scans from the future", std::to_string(minute.from_future));
+    add(status, "scans that are old", std::to_string(minute.from_past));
+  }
+  if (minute.scans > 1) add(status, "ms between scans", print("%.1f", 1e3 * minute.period));
+  add(status, "share of a core", print("%.3f", processor_share));
+  return status;
+}
+
+/// s, of all threads.
+double processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
 NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,
@@ -71,15 +120,19 @@ NodeDiagnostics::NodeDiagnostics(ros::NodeHandle node, const NodeOptions& option
       timer_(every(node, ros::WallDuration(1.0), "Diagnostics", [this] { publish(); })) {}
 
 void NodeDiagnostics::publish() {
+  const double now = ros::SteadyTime::now().toSec();
+  processor_share_.add(now, processorTime());
   const NodeHealth health = ask_();
+  complain(health);
+  if (publisher_.getNumSubscribers() == 0) return;
   diagnostic_msgs::DiagnosticArray message;
   message.header.stamp = ros::Time::now();
   if (health.covariance) message.status.push_back(deviationStatus(*health.covariance, options_));
   message.status.push_back(scanStatus(health));
   if (!health.senses.empty()) message.status.push_back(sensesStatus(health.senses));
   if (health.match) message.status.push_back(matchStatus(*health.match));
+  message.status.push_back(latencyStatus(health.latency, processor_share_.at(now)));
   publisher_.publish(message);
-  complain(health);
 }
 
 void NodeDiagnostics::complain(const NodeHealth& health) {

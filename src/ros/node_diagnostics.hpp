@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "adaptive_localization/match/scan_matcher.hpp"
-#include "heading_source.hpp"
+#include "latency.hpp"
 #include "node_options.hpp"
+#include "processor_share.hpp"
 #include "scan_source.hpp"
+#include "sense_health.hpp"
 
 namespace adaptive_localization {
 
@@ -24,11 +26,13 @@ struct NodeHealth {
   bool is_as_told{false};                     // nothing but the pose that it was told to wait for
   std::optional<Eigen::Matrix3d> covariance;  // of the last pose, if there is one
   std::optional<MatchFault> match;            // of the last scan that was matched with the map
+  Latency::Minute latency;
 };
 
 /// Once a second, whether scans come or not, sends /diagnostics: amcl's "Standard deviation", and
-/// "Scans" with their counters and what is missing, and of filters that match scans "Match" with
-/// the reason if the last one was refused. What stays missing goes to the log as well.
+/// "Scans" with their counters and what is missing, of filters that match scans "Match" with the
+/// reason if the last one was refused, and "Latency", how late scans led to transforms in the last
+/// minute and how busy the process was. What stays missing goes to the log as well.
 class NodeDiagnostics {
  public:
   NodeDiagnostics(ros::NodeHandle node, const NodeOptions& options,
@@ -41,6 +45,7 @@ class NodeDiagnostics {
   const NodeOptions& options_;  // the node's, which may change
   std::function<NodeHealth()> ask_;
   int seconds_missing_{0};
+  ProcessorShare processor_share_;
   ros::Publisher publisher_;
   ros::WallTimer timer_;
 };

@@ -17,6 +17,16 @@ namespace {
 constexpr std::uint32_t kQueue = 100;
 const ros::WallDuration kPatience(3.0);  // without a scan
 
+// The filter hands on an event's time of receipt as it was given, whatever the clock.
+
+ros::Time toEventTime(const ros::SteadyTime& arrival) {
+  return {arrival.sec, arrival.nsec};
+}
+
+ros::SteadyTime arrivalOf(const ros::MessageEvent<const sensor_msgs::LaserScan>& event) {
+  return {event.getReceiptTime().sec, event.getReceiptTime().nsec};
+}
+
 }  // namespace
 
 ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
@@ -27,18 +37,20 @@ ScanSource::ScanSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput
       mounts_(node, tf, options.base_frame_id),
       callback_(std::move(callback)),
       on_jump_(std::move(on_jump)),
-      filter_(tf, options.odom_frame_id, kQueue, node) {
+      filter_(tf, options.odom_frame_id, kQueue, node),
+      arrivals_(*node.getCallbackQueue()) {
   using ScanPtr = sensor_msgs::LaserScan::ConstPtr;
-  filter_.registerCallback([this](const ScanPtr& message) {
-    const auto outcome = outcomeOf([&] { return use(*message); });
+  filter_.registerCallback(boost::function<void(const Event&)>([this](const Event& event) {
+    const auto outcome = outcomeOf([&] { return use(event); });
     if (!outcome.value) drop(outcome.error);
-  });
+  }));
   filter_.registerFailureCallback(
       [this](const ScanPtr& message, tf2_ros::filter_failure_reasons::FilterFailureReason) {
         drop("tf cannot place frame '" + message->header.frame_id + "' in '" +
                  options_.odom_frame_id + "' at its stamp",
              isSettled());
       });
+  node.setCallbackQueue(&arrivals_);
   for (const auto& topic : namesIn(options.scan_topics)) {
     subscribers_.push_back(subscribe<sensor_msgs::LaserScan>(
         node, topic, kQueue, [this](const ScanPtr& message) { add(message); }));
@@ -74,7 +86,7 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
                 isSettled());
   }
   const auto held = tf_input_.hold();
-  filter_.add(scan);
+  filter_.add(Event(scan, toEventTime(arrivals_.arrival())));
 }
 
 void ScanSource::onJump(double seconds, const ros::Time& stamp) {
@@ -93,13 +105,14 @@ void ScanSource::onJump(double seconds, const ros::Time& stamp) {
 }
 
 /// Throws whatever is wrong with the scan.
-bool ScanSource::use(const sensor_msgs::LaserScan& message) {
+bool ScanSource::use(const Event& event) {
+  const sensor_msgs::LaserScan& message = *event.getMessage();
   std::string why;
   const auto mount =
       mounts_.at(withoutLeadingSlash(message.header.frame_id), message.header.stamp, &why);
   if (!mount) throw std::invalid_argument(why);
   last_placed_ = ros::WallTime::now();
-  const bool is_used = callback_(message, *mount);
+  const bool is_used = callback_(message, *mount, arrivalOf(event));
   if (is_used) ++counts_.used;
   return is_used;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/scan.hpp"
+#include "arrival_queue.hpp"
 #include "complaints.hpp"
 #include "continuity.hpp"
 #include "laser_mounts.hpp"
@@ -24,8 +25,10 @@ namespace adaptive_localization {
 /// emptied and what was held back is forgotten.
 class ScanSource {
  public:
-  /// Says whether the scan was used; throws what is wrong with it.
-  using Callback = std::function<bool(const sensor_msgs::LaserScan&, const LaserMount&)>;
+  /// Given a scan, its mount and when it arrived, says whether the scan was used; throws what is
+  /// wrong with it.
+  using Callback =
+      std::function<bool(const sensor_msgs::LaserScan&, const LaserMount&, const ros::SteadyTime&)>;
   /// Told by how many seconds time jumped.
   using JumpCallback = std::function<void(double)>;
 
@@ -54,9 +57,10 @@ class ScanSource {
 
  private:
   using Filter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
+  using Event = ros::MessageEvent<const sensor_msgs::LaserScan>;
 
   void onJump(double seconds, const ros::Time& stamp);
-  bool use(const sensor_msgs::LaserScan& message);
+  bool use(const Event& event);
   bool isSettled() const;
   void drop(const std::string& why, bool is_said = true);
 
@@ -74,6 +78,7 @@ class ScanSource {
   std::string last_frame_;
   Complaints complaints_;  // of scans that were dropped
   Filter filter_;
+  ArrivalQueue arrivals_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

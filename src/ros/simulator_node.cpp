@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator_node.hpp"
 
-#include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
-#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
-#include <sensor_msgs/PointCloud.h>
-#include <sensor_msgs/Range.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -16,6 +12,7 @@
 #include "callbacks.hpp"
 #include "conversions.hpp"
 #include "ros_params.hpp"
+#include "simulator_messages.hpp"
 #include "truth_markers.hpp"
 
 namespace adaptive_localization {
@@ -45,15 +42,6 @@ std::vector<std::string> knownKeys() {
   std::vector<std::string> keys = keysOf(describe(SimulatorNodeOptions{}));
   for (const auto& key : keysOf(describe(SimulationOptions{}))) keys.push_back(key);
   return keys;
-}
-
-nav_msgs::Odometry toMessage(const Pose2& pose, const Velocity& velocity) {
-  nav_msgs::Odometry message;
-  message.pose.pose = toPoseMessage(pose);
-  message.twist.twist.linear.x = velocity.forward;
-  message.twist.twist.linear.y = velocity.aside;
-  message.twist.twist.angular.z = velocity.turn;
-  return message;
 }
 
 }  // namespace
@@ -134,11 +122,27 @@ void SimulatorNode::onTransforms(const tf2_msgs::TFMessage& message) {
   }
 }
 
+/// Makes a message if somebody hears it.
+template <class Make>
+void SimulatorNode::send(const ros::Publisher& publisher, double stamp, const std::string& frame,
+                         const Make& make) {
+  if (publisher.getNumSubscribers() == 0) return;
+  auto message = make();
+  message.header.stamp = toRosTime(stamp);
+  message.header.frame_id = frame;
+  publisher.publish(message);
+}
+
 /// Odometry first, so that whoever gets the scan can place it.
 void SimulatorNode::publish(const Sensed& sensed) {
   if (sensed.odometry) publishOdometry(*sensed.odometry);
-  if (sensed.imu) publishImu(*sensed.imu);
-  if (sensed.picture) publishPicture(*sensed.picture);
+  if (sensed.imu) {
+    send(imu_, sensed.imu->stamp, options_.imu_frame, [&] { return toMessage(*sensed.imu); });
+  }
+  if (sensed.picture) {
+    send(landmarks_, sensed.picture->stamp, options_.camera_frame,
+         [&] { return toMessage(*sensed.picture); });
+  }
   for (const Ping& ping : sensed.pings) publishPing(ping);
   if (!sensed.scan) return;
   if (!sensed.scan->ranges.empty()) publishScan(*sensed.scan, options_.laser_frame);
@@ -147,77 +151,35 @@ void SimulatorNode::publish(const Sensed& sensed) {
 }
 
 void SimulatorNode::publishOdometry(const OdometryReading& reading) {
-  nav_msgs::Odometry message = toMessage(reading.T_odom_base, reading.velocity);
-  message.header.stamp = toRosTime(reading.stamp);
-  message.header.frame_id = options_.odom_frame_id;
-  message.child_frame_id = options_.base_frame_id;
-
   geometry_msgs::TransformStamped transform;
-  transform.header = message.header;
-  transform.child_frame_id = message.child_frame_id;
+  transform.header.stamp = toRosTime(reading.stamp);
+  transform.header.frame_id = options_.odom_frame_id;
+  transform.child_frame_id = options_.base_frame_id;
   transform.transform = toTransformMessage(reading.T_odom_base);
   tf_.sendTransform(transform);
-  odometry_.publish(message);
 
-  message.header.frame_id = options_.global_frame_id;
-  const nav_msgs::Odometry truth = toMessage(simulation_.truth(), simulation_.velocity());
-  message.pose = truth.pose;
-  message.twist = truth.twist;
-  truth_.publish(message);
+  const auto make = [this](const Pose2& pose, const Velocity& velocity) {
+    nav_msgs::Odometry message = toMessage(pose, velocity);
+    message.child_frame_id = options_.base_frame_id;
+    return message;
+  };
+  send(odometry_, reading.stamp, options_.odom_frame_id,
+       [&] { return make(reading.T_odom_base, reading.velocity); });
+  send(truth_, reading.stamp, options_.global_frame_id,
+       [&] { return make(simulation_.truth(), simulation_.velocity()); });
 }
 
 void SimulatorNode::publishScan(const LaserScan& scan, const std::string& frame) {
-  sensor_msgs::LaserScan message = toMessage(scan);
-  message.header.stamp = toRosTime(scan.stamp);
-  message.header.frame_id = frame;
-  message.scan_time = 1.0F / 75.0F;
-  scan_.publish(message);
-}
-
-void SimulatorNode::publishImu(const ImuReading& reading) {
-  const auto square = [](double value) { return value * value; };
-  sensor_msgs::Imu message;
-  message.header.stamp = toRosTime(reading.stamp);
-  message.header.frame_id = options_.imu_frame;
-  message.orientation = toPoseMessage({0.0, 0.0, reading.heading.theta}).orientation;
-  message.angular_velocity.z = reading.rate;
-  message.linear_acceleration_covariance[0] = -1.0;
-  for (const std::size_t axis : {0U, 4U, 8U}) {
-    message.orientation_covariance[axis] = square(reading.heading.deviation);
-    message.angular_velocity_covariance[axis] = square(reading.rate_deviation);
-  }
-  imu_.publish(message);
-}
-
-void SimulatorNode::publishPicture(const Picture& picture) {
-  sensor_msgs::PointCloud message;
-  message.header.stamp = toRosTime(picture.stamp);
-  message.header.frame_id = options_.camera_frame;
-  message.channels.resize(3);
-  const char* const names[] = {"id", "range_std", "bearing_std"};
-  for (std::size_t k = 0; k < 3; ++k) message.channels[k].name = names[k];
-  for (const Sighting& sighting : picture.sightings) {
-    geometry_msgs::Point32 point;
-    point.x = static_cast<float>(sighting.range * std::cos(sighting.bearing));
-    point.y = static_cast<float>(sighting.range * std::sin(sighting.bearing));
-    message.points.push_back(point);
-    message.channels[0].values.push_back(static_cast<float>(sighting.id));
-    message.channels[1].values.push_back(static_cast<float>(sighting.range_deviation));
-    message.channels[2].values.push_back(static_cast<float>(sighting.bearing_deviation));
-  }
-  landmarks_.publish(message);
+  send(scan_, scan.stamp, frame, [&] {
+    sensor_msgs::LaserScan message = toMessage(scan);
+    message.scan_time = 1.0F / 75.0F;
+    return message;
+  });
 }
 
 void SimulatorNode::publishPing(const Ping& ping) {
-  const SonarReading reading = simulation_.reading(ping);
-  sensor_msgs::Range message;
-  message.header.stamp = toRosTime(ping.stamp);
-  message.header.frame_id = options_.sonar_frame_prefix + std::to_string(ping.sonar);
-  message.radiation_type = sensor_msgs::Range::ULTRASOUND;
-  message.field_of_view = static_cast<float>(reading.view);
-  message.max_range = static_cast<float>(reading.max_range);
-  message.range = static_cast<float>(ping.range);
-  sonar_.publish(message);
+  send(sonar_, ping.stamp, options_.sonar_frame_prefix + std::to_string(ping.sonar),
+       [&] { return toMessage(simulation_.reading(ping)); });
 }
 
 void SimulatorNode::publishMarkers() {

@@ -69,10 +69,11 @@ class SimulatorNode {
                          const Parameters& parameters);
   void advance();
   void publish(const Sensed& sensed);
+  template <class Make>
+  void send(const ros::Publisher& publisher, double stamp, const std::string& frame,
+            const Make& make);
   void publishOdometry(const OdometryReading& reading);
   void publishScan(const LaserScan& scan, const std::string& frame);
-  void publishImu(const ImuReading& reading);
-  void publishPicture(const Picture& picture);
   void publishPing(const Ping& ping);
   void publishMarkers();
   void publishSensorFrames();

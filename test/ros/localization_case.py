@@ -4,6 +4,7 @@ import bisect
 import contextlib
 import copy
 import math
+import os
 import time
 import unittest
 
@@ -141,6 +142,26 @@ class LocalizationCase(unittest.TestCase):
 
     def status_values(self):
         return values_of(self.statuses[-1]) if self.statuses else {}
+
+    def assert_latency_is_told(self, level, message, values):
+        """The status "Latency" after scans, however busy the machine is; returns median, p99 and
+        max from a scan's stamp, ms."""
+        figures = {since: [float(values["ms from %s, %s" % (since, what)])
+                           for what in ["median", "p99", "max"]] for since in ["stamp", "arrival"]}
+        for since, times in figures.items():
+            self.assertEqual(times, sorted(times), since)
+        self.assertGreater(figures["arrival"][0], 0.0)
+        self.assertLess(figures["arrival"][2], 60e3)
+        self.assertGreater(float(values["share of a core"]), 0.0)
+        self.assertLess(float(values["share of a core"]), os.cpu_count() + 0.5)
+        wrong = int(values["scans from the future"]) + int(values["scans that are old"])
+        is_other_clock = 2 * wrong > int(values["scans"])
+        self.assertEqual("Stamps are not of this clock" in message, is_other_clock, message)
+        excess = figures["arrival"][1] - float(values["ms between scans"])
+        if abs(excess) > 0.1:  # figures are rounded
+            self.assertEqual("Late" in message, excess > 0.0, message)
+        self.assertEqual(level, DiagnosticStatus.OK if message == "OK" else DiagnosticStatus.WARN)
+        return figures["stamp"]
 
     def carry(self, kidnaps, x, y, yaw=0.0):
         """The robot is lifted and put down there; returns from which stamp on, s."""

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What goes out on which scan, set_map, and what /diagnostics tells while something is missing."""
+import math
 import sys
 
 import rospy
 import rostest
-from localization_case import initial_pose
+from geometry_msgs.msg import PoseArray
+from localization_case import AT_LAST, initial_pose
 from nav_msgs.srv import SetMap
 from std_srvs.srv import Empty
 from toy_robot import ToyRobotCase, room
@@ -54,6 +56,8 @@ class Publications(ToyRobotCase):
         self.assertAlmostEqual(self.poses[-1][0], self.time.to_sec(), places=6)
         self.assertLess(self.error(), 0.1)
 
+        self.a_late_subscriber_gets_the_newest()
+
         # A request without motion: one scan.
         self.forget()
         rospy.ServiceProxy("request_nomotion_update", Empty)()
@@ -89,6 +93,15 @@ class Publications(ToyRobotCase):
         self.steps(3, (0.11, 0.0, 0.0))
         self.assertLess(self.error(), 0.15)
 
+    def a_late_subscriber_gets_the_newest(self):
+        """Also one who is not the first."""
+        for _ in range(2):
+            modes = rospy.wait_for_message("adaptive_localization/modes", PoseArray, AT_LAST)
+            self.assertAlmostEqual(modes.header.stamp.to_sec(), self.time.to_sec(), places=6)
+            self.assertLess(math.dist((modes.poses[0].position.x, modes.poses[0].position.y),
+                                      self.pose[:2]), 0.1)
+            self.steps(1, (0.0, 0.0, 0.3))
+
     def diagnostics_are_fine(self):
         self.forget()
         self.steps(80, (0.0, 0.0, 0.1))
@@ -104,6 +117,9 @@ class Publications(ToyRobotCase):
         level, message, values = self.diagnostic("Scans")
         self.assertEqual((level, message), (0, "OK"))
         self.assertGreater(int(values["scans used"]), 50)
+        level, message, values = self.diagnostic("Latency")
+        self.assertGreater(int(values["scans"]), 1)
+        self.assert_latency_is_told(level, message, values)
 
         rospy.ServiceProxy("global_localization", Empty)()
         self.initial_poses.publish(initial_pose(*self.pose, variances=(4.0, 4.0, 1.0)))

@@ -6,8 +6,9 @@ import sys
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseArray
-from localization_case import AT_LAST, LocalizationCase, planar, wrap
+from localization_case import AT_LAST, LocalizationCase, planar, values_of, wrap
 from std_msgs.msg import Float32
 
 TOLERANCE = 0.1  # s, by which transforms are post-dated
@@ -50,6 +51,21 @@ class Tracking(LocalizationCase):
         if self.tf.can_transform("map", "base_link", when):
             return self.tf.lookup_transform("map", "base_link", when)
         return None
+
+    def test_latency_is_told(self):
+        statuses = []
+        self.subscribers.append(rospy.Subscriber(
+            "/diagnostics", DiagnosticArray, lambda array: statuses.extend(
+                s for s in array.status if s.name == "adaptive_localization: Latency")))
+        self.wait_for_answers(10)
+        self.wait_for(lambda: statuses and int(values_of(statuses[-1])["scans"]) > 50, "scans")
+        status = statuses[-1]
+        values = values_of(status)
+        median, _, most = self.assert_latency_is_told(status.level, status.message, values)
+        # simulated time waits for the node
+        self.assertGreater(median, -100.0)
+        self.assertLess(most, 10e3)
+        self.assertEqual(values["scans that are old"], "0")
 
     def test_cloud_confidence_and_status_are_published(self):
         self.wait_for(lambda: len(self.errors()) > 10, "some poses")
