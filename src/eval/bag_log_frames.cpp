@@ -21,6 +21,7 @@ LaserScan toPlainScan(const sensor_msgs::LaserScan& message) {
   scan.range_min = message.range_min;
   scan.range_max = message.range_max;
   scan.ranges = message.ranges;
+  scan.intensities = message.intensities;
   return scan;
 }
 

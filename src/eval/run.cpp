@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adaptive_localization/core/reflectors.hpp"
 #include "adaptive_localization/eval/stopwatch.hpp"
 
 namespace adaptive_localization {
@@ -33,6 +34,7 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity);
   observations.heading = log_scan.heading;
   observations.gyro = log_scan.gyro;
+  observations.landmarks = reflectorsIn(log_scan.scan, log_scan.mount, localizer.scanOptions());
   observations.sonar = log_scan.sonar;
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;

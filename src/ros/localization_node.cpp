@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../bag/reflectors.hpp"
+#include "adaptive_localization/core/reflectors.hpp"
 #include "adaptive_localization/map/landmark_file.hpp"
 #include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
@@ -106,9 +106,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
-  if (options_.reflector_intensity > 0.0 && !landmarks_.known().all().empty()) {
-    observations.landmarks = reflectorsIn(message, mount, options_.reflector_intensity);
-  }
+  observations.landmarks = reflectorsIn(laser_scan, mount, localizer_->scanOptions());
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp);
   return true;

@@ -26,7 +26,6 @@ struct NodeOptions {
   double scan_time_offset{0.0};
   HeadingTopics headings;
   std::string landmark_topic;
-  double reflector_intensity{0.0};
   SonarTopics sonars;
   bool use_map_topic{false};
   bool first_map_only{false};
@@ -64,9 +63,6 @@ struct NodeOptions {
     option("landmark_topic", landmark_topic, Choices{},
            "Topic with sightings of the landmark_map's landmarks (sensor_msgs/PointCloud); empty: "
            "none.");
-    option("reflector_intensity", reflector_intensity, kNotNegative, "",
-           "What is at least so bright in a scan is a landmark of the landmark_map that is not "
-           "identified; 0: scans have none.");
     sonars.visit(option);
     option("use_map_topic", use_map_topic,
            "Take the map from topic 'map' instead of service 'static_map'.");
