@@ -75,6 +75,7 @@ class SimulatorNode {
   void publishPicture(const Picture& picture);
   void publishPing(const Ping& ping);
   void publishMarkers();
+  void publishPaint();
   void publishSensorFrames();
   bool mustWait() const;
   void onTransforms(const tf2_msgs::TFMessage& message);
@@ -102,6 +103,7 @@ class SimulatorNode {
   ros::Publisher sonar_;      // and of sonars
   ros::Publisher truth_;
   ros::Publisher markers_;
+  ros::Publisher paint_;  // where there is some
   ros::Subscriber transforms_;
   ros::Subscriber command_;
   ros::Subscriber kidnap_;
