@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "../bag/bag_stream.hpp"
-#include "../bag/reflectors.hpp"
 #include "bag_log_frames.hpp"
 #include "bag_log_senses.hpp"
 #include "bag_log_topics.hpp"
@@ -63,7 +62,7 @@ class BagReader {
       : request_(request),
         stream_(request.file),
         types_(stream_.types()),
-        frames_(request.frames, request.landmarks.reflector_intensity > 0.0),
+        frames_(request.frames),
         senses_(request, frames_) {}
 
   Log read() {
@@ -152,7 +151,6 @@ class BagReader {
         ++without_odometry;
         continue;
       }
-      addReflectors(scan);
       log_.scans.push_back(std::move(scan.scan));
     }
     if (!unknown_frames.empty()) {
@@ -166,13 +164,6 @@ class BagReader {
     warnOf("transforms ignored, too old, repeated or not numbers", frames_.refused());
     warnOf("scans skipped for want of odometry at their stamps", without_odometry);
     log_.skipped += without_odometry;
-  }
-
-  void addReflectors(BagFrames::PlacedScan& placed) const {
-    const double least = request_.landmarks.reflector_intensity;
-    if (!(least > 0.0) || request_.landmark_map.all().empty()) return;
-    LogScan& scan = placed.scan;
-    scan.landmarks = reflectorsIn(scan.scan, placed.intensities, scan.mount, least);
   }
 
   const LogRequest& request_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a laser reads that is carried or covered, or before which something stands, what a compass
 // does, and what sonars hear.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +12,7 @@ namespace adaptive_localization {
 
 /// A hand, or anything.
 LaserScan ExperimentDrive::handBefore(LaserScan scan, bool is_garbage) {
+  std::fill(scan.intensities.begin(), scan.intensities.end(), 0.0F);
   for (float& range : scan.ranges) {
     const double any = rng_.uniform();
     range = static_cast<float>(rng_.uniform(0.05, 0.4));
@@ -84,6 +86,7 @@ LaserScan ExperimentDrive::blocked(LaserScan scan) {
       const double limit = std::isfinite(scan.ranges[i]) ? scan.ranges[i] : 4.0;
       scan.ranges[i] =
           static_cast<float>(limit * rng_.uniform(due.event.is_sector ? 0.4 : 0.05, 0.9));
+      if (!scan.intensities.empty()) scan.intensities[i] = 0.0F;
     }
   }
   return scan;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "adaptive_localization/core/reflectors.hpp"
 #include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/eval/stopwatch.hpp"
@@ -44,10 +45,14 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   observations.stamp = seen.scan.stamp;
   if (!seen.scan.ranges.empty()) {
     observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
+    observations.landmarks = reflectorsIn(seen.scan, mount, localizer.scanOptions());
   }
   observations.heading = seen.heading;
   observations.gyro = seen.gyro;
-  observations.landmarks = seen.landmarks;
+  if (seen.landmarks) {
+    auto& all = observations.landmarks ? *observations.landmarks : observations.landmarks.emplace();
+    all.insert(all.end(), seen.landmarks->begin(), seen.landmarks->end());
+  }
   observations.sonar = seen.sonar;
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);

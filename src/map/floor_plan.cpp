@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
 #include "landmark_list.hpp"
@@ -15,22 +14,28 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-const char* const kKeys[] = {"outline",   "wall_thickness", "walls", "solids",
-                             "furniture", "route",          "start", "landmarks"};
+using Keys = std::vector<std::string>;
 
 [[noreturn]] void reject(const std::string& key, const std::string& expected) {
   throw std::invalid_argument("'" + key + "': expected " + expected);
 }
 
-void rejectUnknownKeys(const YAML::Node& root) {
+void rejectUnknownKeys(const YAML::Node& node, const Keys& keys, const std::string& prefix = "") {
   std::string known;
-  for (const char* key : kKeys) known += (known.empty() ? "" : ", ") + std::string(key);
-  for (const auto& entry : root) {
+  for (const auto& key : keys) known += (known.empty() ? "" : ", ") + key;
+  for (const auto& entry : node) {
     const auto key = entry.first.as<std::string>();
-    if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
-      reject(key, "one of " + known);
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      reject(prefix + key, "one of " + known);
     }
   }
+}
+
+/// A number of metres, up to 10.
+void readWidth(const YAML::Node& node, const std::string& key, double& width) {
+  if (!node) return;
+  width = node.as<double>(-1.0);
+  if (!(width > 0.0 && width < 10.0)) reject(key, "a number of metres in (0, 10)");
 }
 
 Numbers numbers(const YAML::Node& node, const std::string& key, std::size_t count,
@@ -71,39 +76,93 @@ double doubleArea(const Polygon& polygon) {
   return sum;
 }
 
-std::vector<std::vector<Eigen::Vector2d>> lists(const YAML::Node& root, const std::string& key,
+std::vector<std::vector<Eigen::Vector2d>> lists(const YAML::Node& node, const std::string& key,
                                                 std::size_t at_least) {
   std::vector<std::vector<Eigen::Vector2d>> result;
-  if (!root[key]) return result;
-  if (!root[key].IsSequence()) reject(key, "a list of lists of points");
-  for (const auto& entry : root[key]) result.push_back(points(entry, key, at_least));
+  if (!node) return result;
+  if (!node.IsSequence()) reject(key, "a list of lists of points");
+  for (const auto& entry : node) result.push_back(points(entry, key, at_least));
   return result;
+}
+
+std::vector<Segment> segments(const YAML::Node& node, const std::string& key) {
+  std::vector<Segment> result;
+  for (const auto& line : lists(node, key, 2)) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      if (line[i - 1] == line[i]) reject(key, "no point twice in a row");
+      result.push_back({line[i - 1], line[i]});
+    }
+  }
+  return result;
+}
+
+void addCircle(const YAML::Node& node, std::vector<Segment>& lines) {
+  constexpr int kSides = 64;
+  const std::string key = "paint.circles", expected = "a list of circles [x, y, radius] in metres";
+  const Numbers circle = numbers(node, key, 3, expected);
+  if (!(circle[2] > 0.0)) reject(key, expected);
+  const auto corner = [&](int i) {
+    const double course = 2.0 * kPi * i / kSides;
+    return Eigen::Vector2d(circle[0] + circle[2] * std::cos(course),
+                           circle[1] + circle[2] * std::sin(course));
+  };
+  for (int i = 0; i < kSides; ++i) lines.push_back({corner(i), corner(i + 1)});
+}
+
+Paint readPaint(const YAML::Node& node) {
+  const Keys keys{"line_width", "lines", "circles", "carpet"};
+  if (!node.IsMap()) reject("paint", "keys and values: line_width, lines, circles, carpet");
+  rejectUnknownKeys(node, keys, "paint.");
+  Paint paint;
+  readWidth(node["line_width"], "paint.line_width", paint.line_width);
+  paint.lines = segments(node["lines"], "paint.lines");
+  if (const auto circles = node["circles"]) {
+    if (!circles.IsSequence()) reject("paint.circles", "a list of circles [x, y, radius]");
+    for (const auto& circle : circles) addCircle(circle, paint.lines);
+  }
+  if (const auto carpet = node["carpet"]) {
+    const Numbers corners =
+        numbers(carpet, "paint.carpet", 4, "two opposite corners [x, y, x, y] in metres");
+    paint.carpet = boundsOf({{corners[0], corners[1]}, {corners[2], corners[3]}});
+  }
+  return paint;
+}
+
+/// No beam ends on what hangs in the air or is hidden in a wall.
+void checkReflectors(const FloorPlan& plan) {
+  std::vector<Segment> surfaces;
+  for (std::size_t i = 0; i < plan.landmarks.size(); ++i) {
+    const Landmark& landmark = plan.landmarks[i];
+    if (landmark.reflector == 0.0) continue;
+    if (surfaces.empty()) surfaces = surfacesOf(plan);
+    const bool is_seen = std::any_of(surfaces.begin(), surfaces.end(), [&](const Segment& surface) {
+      return distance(surface, landmark.place) <= landmark.reflector / 2.0;
+    });
+    if (!is_seen) {
+      reject("landmarks[" + std::to_string(i) + "]",
+             "a reflector on the surface of the outline, a wall or a solid");
+    }
+  }
 }
 
 FloorPlan parse(const YAML::Node& root) {
   constexpr double kLeastArea = 1e-6;  // m^2
-  if (root.IsMap()) rejectUnknownKeys(root);
+  const Keys keys{"outline", "wall_thickness", "walls", "solids",   "furniture",
+                  "route",   "start",          "paint", "landmarks"};
+  if (root.IsMap()) rejectUnknownKeys(root, keys);
   if (!root.IsMap() || !root["outline"]) reject("outline", "a polygon of at least 3 points");
   FloorPlan plan;
   plan.outline = points(root["outline"], "outline", 3);
   if (!(std::abs(doubleArea(plan.outline)) > kLeastArea)) {
     reject("outline", "points round an area, not on one line");
   }
-  if (const auto thickness = root["wall_thickness"]) {
-    plan.wall_thickness = thickness.as<double>(-1.0);
-    if (!(plan.wall_thickness > 0.0 && plan.wall_thickness < 10.0)) {
-      reject("wall_thickness", "a number of metres in (0, 10)");
-    }
-  }
-  for (const auto& line : lists(root, "walls", 2)) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      if (line[i - 1] == line[i]) reject("walls", "no point twice in a row");
-      plan.walls.push_back({line[i - 1], line[i]});
-    }
-  }
-  plan.solids = lists(root, "solids", 3);
-  plan.furniture = lists(root, "furniture", 3);
+  readWidth(root["wall_thickness"], "wall_thickness", plan.wall_thickness);
+  plan.walls = segments(root["walls"], "walls");
+  plan.solids = lists(root["solids"], "solids", 3);
+  plan.furniture = lists(root["furniture"], "furniture", 3);
+  if (root["paint"]) plan.paint = readPaint(root["paint"]);
   if (root["landmarks"]) plan.landmarks = readLandmarks(root["landmarks"]);
+  checkReflectors(plan);
   if (root["route"]) plan.route = points(root["route"], "route", 1);
   if (root["start"]) {
     const Numbers start = numbers(root["start"], "start", 3, "[x, y, yaw] in metres and radians");

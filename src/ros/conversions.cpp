@@ -78,6 +78,7 @@ LaserScan toLaserScan(const sensor_msgs::LaserScan& message) {
   scan.range_min = message.range_min;
   scan.range_max = message.range_max;
   scan.ranges = message.ranges;
+  scan.intensities = message.intensities;
   return scan;
 }
 
@@ -91,6 +92,7 @@ sensor_msgs::LaserScan toMessage(const LaserScan& scan) {
   message.range_min = static_cast<float>(scan.range_min);
   message.range_max = static_cast<float>(scan.range_max);
   message.ranges = scan.ranges;
+  message.intensities = scan.intensities;
   return message;
 }
 

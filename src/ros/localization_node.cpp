@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../bag/reflectors.hpp"
+#include "adaptive_localization/core/reflectors.hpp"
 #include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
@@ -101,10 +101,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
-  const double least = options_.landmarks.reflector_intensity;
-  if (least > 0.0 && !landmarks_.known().all().empty()) {
-    observations.landmarks = reflectorsIn(laser_scan, message.intensities, mount, least);
-  }
+  observations.landmarks = reflectorsIn(laser_scan, mount, localizer_->scanOptions());
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp, arrival);
   return true;

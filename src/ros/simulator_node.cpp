@@ -11,6 +11,7 @@
 #include "adaptive_localization/core/suggestion.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "paint_markers.hpp"
 #include "ros_params.hpp"
 #include "simulator_messages.hpp"
 #include "truth_markers.hpp"
@@ -66,6 +67,11 @@ SimulatorNode::SimulatorNode(ros::NodeHandle node, ros::NodeHandle private_node,
   if (simulation_.hasSonars()) sonar_ = node.advertise<sensor_msgs::Range>("sonar", kQueue);
   truth_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", kQueue);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("truth_markers", 1);
+  const Paint& paint = simulation_.paint();
+  if (paint.carpet || !paint.lines.empty()) {
+    paint_ = private_node.advertise<visualization_msgs::MarkerArray>("paint", 1, true);
+    publishPaint();
+  }
   if (options_.publish_laser_tf) publishSensorFrames();
   transforms_ = subscribe<tf2_msgs::TFMessage>(
       node, "/tf", kQueue, [this](const auto& message) { onTransforms(*message); });
@@ -187,6 +193,13 @@ void SimulatorNode::publishMarkers() {
   header.stamp = toRosTime(simulation_.time());
   header.frame_id = options_.global_frame_id;
   markers_.publish(truthMarkers(header, simulation_.truth(), simulation_.people()));
+}
+
+/// At no time in particular: it is there for good.
+void SimulatorNode::publishPaint() {
+  std_msgs::Header header;
+  header.frame_id = options_.global_frame_id;
+  paint_.publish(paintMarkers(header, simulation_.paint()));
 }
 
 void SimulatorNode::publishSensorFrames() {

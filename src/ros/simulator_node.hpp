@@ -76,6 +76,7 @@ class SimulatorNode {
   void publishScan(const LaserScan& scan, const std::string& frame);
   void publishPing(const Ping& ping);
   void publishMarkers();
+  void publishPaint();
   void publishSensorFrames();
   bool mustWait() const;
   void onTransforms(const tf2_msgs::TFMessage& message);
@@ -103,6 +104,7 @@ class SimulatorNode {
   ros::Publisher sonar_;      // and of sonars
   ros::Publisher truth_;
   ros::Publisher markers_;
+  ros::Publisher paint_;  // where there is some
   ros::Subscriber transforms_;
   ros::Subscriber command_;
   ros::Subscriber kidnap_;

@@ -70,6 +70,7 @@ Simulation Simulation::load(const SimulationOptions& options) {
 Simulation::Simulation(const Site& site, const SimulationOptions& options)
     : options_(options),
       world_(site.world),
+      paint_(site.paint),
       free_space_(freeSpace(site, options)),
       rng_(static_cast<std::uint64_t>(options.seed)),
       base_(options.base),
@@ -92,7 +93,8 @@ Simulation::Simulation(const Site& site, const SimulationOptions& options)
         "option 'camera': got true, expected false in a world without landmarks");
   }
   for (const Pose2& mount : laser_mounts_) {
-    lasers_.emplace_back(options.laser, mount, rng_.split(lasers_.empty() ? kBeams : kMoreBeams));
+    lasers_.emplace_back(options.laser, mount, rng_.split(lasers_.empty() ? kBeams : kMoreBeams),
+                         site.landmarks);
   }
 }
 

@@ -123,10 +123,10 @@ Site loadSite(const std::string& yaml_file, bool furniture) {
     throw std::invalid_argument("world file '" + yaml_file + "': " + error.what());
   }
   if (is_map) {
-    return {makeWorld(std::make_shared<const OccupancyGrid>(loadMap(yaml_file))), {}, {}, {}};
+    return {makeWorld(std::make_shared<const OccupancyGrid>(loadMap(yaml_file))), {}, {}, {}, {}};
   }
   const FloorPlan plan = loadFloorPlan(yaml_file);
-  return {makeWorld(plan, furniture), plan.route, plan.start, plan.landmarks};
+  return {makeWorld(plan, furniture), plan.route, plan.start, plan.landmarks, plan.paint};
 }
 
 }  // namespace adaptive_localization

@@ -27,6 +27,25 @@ TEST_F(BagLog, InterpolatesOdometryFromTf) {
   EXPECT_EQ(log.scans[0].scan.ranges.size(), 5U);
 }
 
+TEST_F(BagLog, HasTheIntensitiesOfScans) {
+  {
+    BagWriter bag(request_.file);
+    bag.laserTransform(10.0);
+    for (int i = 0; i < 4; ++i) bag.odometryTransform(10.0 + i, {});
+    sensor_msgs::LaserScan scan;
+    scan.header.stamp = ros::Time(11.5);
+    scan.header.frame_id = "laser";
+    scan.angle_increment = 0.1F;
+    scan.range_max = 8.0F;
+    scan.ranges = {1.0F, 2.0F};
+    scan.intensities = {40.0F, 200.0F};
+    bag.write("/scan", 11.5, scan);
+  }
+  const Log log = readLog(request_);
+  ASSERT_EQ(log.scans.size(), 1U);
+  EXPECT_THAT(log.scans[0].scan.intensities, testing::ElementsAre(40.0F, 200.0F));
+}
+
 TEST_F(BagLog, CutByBeginStillSeesTheStaticTransformsBefore) {
   writeDrive();
   request_.begin = 101.95;

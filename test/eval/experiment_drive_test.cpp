@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "toy_experiment.hpp"
@@ -152,6 +153,29 @@ TEST_F(Drive, HasNoHeadingsWithoutACompass) {
   const auto scans = drive("duration: 1\nstart: [1, 0.6, 0]\n");
   EXPECT_FALSE(scans.back().heading);
   EXPECT_FALSE(scans.back().gyro);
+}
+
+TEST_F(Drive, SeesNoReflectorWhileTheLaserIsCoveredOrCarried) {
+  const auto scans =
+      drive("cases: [{label: hall, world: " SOURCE_DIR
+            "/maps/symmetric}]\nduration: 6\nstart: [8.5, 2.5, 0]\n"
+            "simulation: {drive: false, laser_glare: 0}\n"
+            "events: [{what: cover, at: 1, for: 1}, {what: block, at: 3, for: 1, share: 1},\n"
+            "         {what: carry, at: 5, for: 0.5, to: [8.5, 2.5, 0]}]\n");
+  int bright = 0;
+  for (const auto& scan : scans) {
+    const double t = scan.scan.stamp;
+    ASSERT_EQ(scan.scan.intensities.size(), scan.scan.ranges.size());
+    const float most =
+        *std::max_element(scan.scan.intensities.begin(), scan.scan.intensities.end());
+    const bool is_covered =
+        (t > 1.01 && t < 1.95) || (t > 3.01 && t < 3.95) || (t > 5.15 && t < 5.45);
+    if (is_covered) {
+      EXPECT_EQ(most, 0.0F) << t;
+    }
+    if (most > 120.0F) ++bright;
+  }
+  EXPECT_GT(bright, 30);
 }
 
 TEST_F(Drive, HasAShareOfTheBeamsBlockedForAWhile) {

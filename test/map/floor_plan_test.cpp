@@ -47,6 +47,55 @@ TEST(FloorPlan, ReadsEveryKey) {
   EXPECT_EQ(plan.start->theta, 3.0);
 }
 
+TEST(FloorPlan, ReadsPaint) {
+  const Paint paint = load(kOutline +
+                           "paint:\n  line_width: 0.1\n  lines: [[[1, 0], [1, 1], [2, 1]]]\n"
+                           "  circles: [[2, 1, 0.5]]\n  carpet: [4, 0, 0, 3]\n")
+                          .paint;
+  EXPECT_EQ(paint.line_width, 0.1);
+  ASSERT_GT(paint.lines.size(), 12U);
+  EXPECT_EQ(paint.lines[1].b, Eigen::Vector2d(2, 1));
+  double length = 0.0;
+  for (std::size_t i = 2; i < paint.lines.size(); ++i) {
+    EXPECT_NEAR((paint.lines[i].a - Eigen::Vector2d(2, 1)).norm(), 0.5, 1e-12);
+    length += (paint.lines[i].b - paint.lines[i].a).norm();
+  }
+  EXPECT_NEAR(length, kPi, 0.01);
+  ASSERT_TRUE(paint.carpet.has_value());
+  EXPECT_EQ(paint.carpet->low, Eigen::Vector2d(0, 0));
+  EXPECT_EQ(paint.carpet->high, Eigen::Vector2d(4, 3));
+}
+
+TEST(FloorPlan, NamesThePaintThatIsWrong) {
+  const auto error = [](const std::string& paint) { return errorOf(kOutline + "paint: " + paint); };
+  EXPECT_THAT(error("white"), HasSubstr("'paint': expected keys and values"));
+  EXPECT_THAT(error("{line: []}"), HasSubstr("'paint.line': expected one of line_width, lines"));
+  EXPECT_THAT(error("{line_width: 0}"), HasSubstr("'paint.line_width'"));
+  EXPECT_THAT(error("{lines: [[[0, 0]]]}"), HasSubstr("'paint.lines'"));
+  EXPECT_THAT(error("{lines: [[[0, 0], [0, 0]]]}"), HasSubstr("'paint.lines'"));
+  EXPECT_THAT(error("{circles: 1}"), HasSubstr("'paint.circles'"));
+  EXPECT_THAT(error("{circles: [[0, 0, 0]]}"), HasSubstr("'paint.circles'"));
+  EXPECT_THAT(error("{carpet: [0, 0]}"), HasSubstr("'paint.carpet'"));
+}
+
+TEST(FloorPlan, HasReflectorsOnlyWhereABeamCanEndOnThem) {
+  const auto error = [](const std::string& at, const std::string& width = "0.1") {
+    return errorOf(
+        "outline: [[0, 0], [4, 0], [4, 3], [0, 3]]\nwall_thickness: 0.4\n"
+        "walls: [[[2, 0], [2, 1]]]\nlandmarks: [{id: 0, at: " +
+        at + ", reflector: " + width + "}]\n");
+  };
+  EXPECT_EQ(error("[4, 1]"), "no error");
+  EXPECT_EQ(error("[2.2, 0.5]"), "no error");
+  for (const char* at : {"[1, 1]", "[5, 1]", "[2, 0.5]"}) {
+    EXPECT_THAT(error(at), HasSubstr("'landmarks[0]': expected a reflector on the surface"));
+  }
+  EXPECT_EQ(error("[2, 0.5]", "0.5"), "no error") << "wider than the wall";
+  for (const char* width : {"0", "-0.1", "true", ".nan", "10"}) {
+    EXPECT_THAT(error("[4, 1]", width), HasSubstr("'landmarks[0]': expected reflector: a width"));
+  }
+}
+
 TEST(FloorPlan, NamesTheKeyThatIsWrong) {
   EXPECT_THAT(errorOf("walls: []"), HasSubstr("'outline'"));
   EXPECT_THAT(errorOf("outline: [[0, 0], [1, 0]]"), HasSubstr("at least 3 points"));
@@ -64,7 +113,7 @@ TEST(FloorPlan, NamesTheKeyThatIsWrong) {
 TEST(FloorPlan, RefusesUnknownKeysAndNamesTheKnownOnes) {
   EXPECT_THAT(errorOf(kOutline + "wall: [[[1, 0], [1, 1]]]\n"),
               HasSubstr("'wall': expected one of outline, wall_thickness, walls, solids, "
-                        "furniture, route, start"));
+                        "furniture, route, start, paint, landmarks"));
   EXPECT_THAT(errorOf("image: map.pgm\n"), HasSubstr("'image': expected one of outline"));
   EXPECT_THAT(errorOf(kOutline + "[1, 2]: 3\n"), HasSubstr("floor_plan_test.yaml"));
 }
@@ -81,8 +130,9 @@ TEST(FloorPlan, RefusesAnOutlineRoundNothing) {
 }
 
 TEST(FloorPlan, OfAllShippedWorldsIsRead) {
-  for (const std::string name : {"complex", "corridor", "expansion", "hall", "maze", "office",
-                                 "office_moved", "simple", "symmetric", "torus", "warehouse"}) {
+  for (const std::string name :
+       {"complex", "corridor", "expansion", "hall", "maze", "office", "office_moved", "robocup",
+        "simple", "symmetric", "torus", "warehouse"}) {
     EXPECT_GT(loadFloorPlan(SOURCE_DIR "/maps/" + name + "/world.yaml").route.size(), 3U) << name;
   }
 }

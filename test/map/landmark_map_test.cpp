@@ -59,6 +59,14 @@ TEST_F(Landmarks, MayBePartOfAFloorPlan) {
   EXPECT_EQ(plan.landmarks[0].place, Eigen::Vector2d(2, 3));
 }
 
+TEST_F(Landmarks, MayBeReflectors) {
+  const LandmarkMap map = loadLandmarks(
+      write("landmarks:\n  - {id: 0, at: [1, 2]}\n  - {id: 0, at: [3, 4], reflector: 0.25}\n"));
+  ASSERT_THAT(map.all(), SizeIs(2));
+  EXPECT_EQ(map.all()[0].reflector, 0.0);
+  EXPECT_EQ(map.all()[1].reflector, 0.25);
+}
+
 TEST_F(Landmarks, ThatAreNoneAreRefusedByEntry) {
   expectRefused("posts: []\n", "'landmarks': expected a list");
   expectRefused("landmarks: []\n", "'landmarks': expected a list");
@@ -68,7 +76,7 @@ TEST_F(Landmarks, ThatAreNoneAreRefusedByEntry) {
   for (const char* entry :
        {"{id: -1, at: [1, 2]}", "{id: a, at: [1, 2]}", "{id: 1}", "{id: 1, at: [1]}",
         "{id: 1, at: [1, .nan]}", "{id: 1, at: 3}", "{id: 1, at: [1, 2], colour: red}", "[1, 2]",
-        "{id: 1, at: [1, 1e9]}"}) {
+        "{id: 1, at: [1, 1e9]}", "{id: 1, reflector: 0.1}"}) {
     expectRefused(good + entry + "\n", "'landmarks[1]': expected {id: whole number");
   }
   EXPECT_THAT([] { loadLandmarks("/no/such/file.yaml"); },

@@ -180,5 +180,73 @@ TEST(Laser, ShortReadingsAreAsOftenAsAskedFor) {
   EXPECT_NEAR(shorter, 724, 80);
 }
 
+class ALaserAmongReflectors : public testing::Test {
+ protected:
+  ALaserAmongReflectors() {
+    options_.laser_x = options_.laser_intensity_noise = options_.laser_glare = 0.0;
+  }
+
+  LaserScan scan(const Laser::Caster& cast = roundRoom(5.0), std::uint64_t seed = 1) const {
+    return Laser(options_, laserMounts(options_).front(), Rng(seed), landmarks_).scan({}, cast);
+  }
+
+  LaserOptions options_{exact()};
+  // straight ahead, 30 degrees to the left on the wall and before it, and what is no reflector
+  std::vector<Landmark> landmarks_{{0, {5.0, 0.0}, 0.2},
+                                   {0, {4.0 * std::cos(kPi / 6), 4.0 * std::sin(kPi / 6)}, 0.2},
+                                   {0, {0.0, 5.0}}};
+};
+
+TEST_F(ALaserAmongReflectors, SeesThemBrightAsWideAsTheyAreAndItsSpot) {
+  const LaserScan bright = scan();
+  ASSERT_EQ(bright.intensities.size(), bright.ranges.size());
+  // half of 0.2 m and half a spot at 5 m: 1.15 and 0.37 degrees on each side
+  for (std::size_t i = 0; i < bright.intensities.size(); ++i) {
+    EXPECT_EQ(bright.intensities[i], i >= 89 && i <= 91 ? 200.0F : 40.0F) << i;
+  }
+}
+
+TEST_F(ALaserAmongReflectors, SeesThemNotBehindOrBeforeWhatItsBeamEndsOn) {
+  EXPECT_THAT(scan(roundRoom(4.7)).intensities, testing::Each(40.0F));
+  const auto ahead = scan(roundRoom(4.0)).intensities;
+  EXPECT_EQ(ahead[90], 40.0F);
+  EXPECT_EQ(ahead[120], 200.0F) << "the wall is where the second one is";
+}
+
+TEST_F(ALaserAmongReflectors, SeesNothingBrightWhereABeamIsShortOrLost) {
+  options_.laser_short = 1.0;
+  EXPECT_THAT(scan().intensities, testing::Each(40.0F));
+  options_.laser_short = 0.0;
+  EXPECT_THAT(scan(roundRoom(100.0)).intensities, testing::Each(0.0F));
+}
+
+TEST_F(ALaserAmongReflectors, HasGlareAndNoiseAsAskedFor) {
+  options_.laser_glare = 0.1;
+  options_.laser_intensity_noise = 10.0;
+  int bright = 0;
+  double squares = 0.0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    for (const double intensity : scan(roundRoom(4.7), seed).intensities) {
+      bright += intensity > 120.0;
+      squares += std::pow(intensity - (intensity > 120.0 ? 200.0 : 40.0), 2);
+    }
+  }
+  EXPECT_NEAR(bright, 905, 90);
+  EXPECT_NEAR(std::sqrt(squares / (181.0 * 50.0)), 10.0, 0.5);
+}
+
+TEST_F(ALaserAmongReflectors, HasTheRangesOfOneAmongNoneWhichHasNoIntensities) {
+  options_ = LaserOptions();
+  const LaserScan with = scan();
+  landmarks_.clear();
+  const LaserScan without = scan();
+  ASSERT_EQ(with.ranges.size(), without.ranges.size());
+  for (std::size_t i = 0; i < with.ranges.size(); ++i) {
+    const bool both_invalid = std::isnan(with.ranges[i]) && std::isnan(without.ranges[i]);
+    EXPECT_TRUE(both_invalid || with.ranges[i] == without.ranges[i]) << i;
+  }
+  EXPECT_THAT(without.intensities, testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace adaptive_localization

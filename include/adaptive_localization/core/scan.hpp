@@ -19,7 +19,8 @@ struct LaserScan {
   double time_increment{0.0};  // s between beams
   double range_min{0.0};
   double range_max{0.0};
-  std::vector<float> ranges;  // m; NaN invalid, inf no return
+  std::vector<float> ranges;       // m; NaN invalid, inf no return
+  std::vector<float> intensities;  // of each beam, as the driver scales them; empty: not told
 };
 
 /// The angles between which a laser sees, in its own frame, rad.
@@ -71,6 +72,7 @@ struct ScanOptions {
   int laser_max_beams{180};
   double laser_min_range{-1.0};
   double laser_max_range{-1.0};
+  double reflector_intensity{0.0};
   bool deskew{true};
 
   template <class Visitor>
@@ -81,6 +83,9 @@ struct ScanOptions {
            "Shorter readings are invalid; -1: as the scan message says.");
     option("laser_max_range", laser_max_range, Range{-1, 1000}, "m",
            "Longer readings are no-returns; -1: as the scan message says.");
+    option("reflector_intensity", reflector_intensity, kNotNegative, "",
+           "What is at least so bright in a scan is a landmark of the landmark_map that is not "
+           "identified; 0: scans have none.");
     option("deskew", deskew, "Undo the robot's motion from the first beam of a scan to the last.");
   }
 };

@@ -11,6 +11,19 @@
 
 namespace adaptive_localization {
 
+/// What is painted on the floor, for people to see. In the YAML file:
+///
+///     paint:
+///       line_width: 0.05                           # m
+///       lines: [[[0, 0], [9, 0], [9, 6]], ...]     # centre lines
+///       circles: [[4.5, 3, 0.75], ...]             # x, y and radius of centre lines
+///       carpet: [-0.7, -0.7, 9.7, 6.7]             # two opposite corners of what is green
+struct Paint {
+  std::vector<Segment> lines;  // those of circles too
+  double line_width{0.05};     // m
+  std::optional<Bounds> carpet;
+};
+
 /// A building drawn with lines, the truth of a simulated world. Read from a YAML file:
 ///
 ///     outline: [[0, 0], [7, 0], [7, 4], [0, 4]]   # the inside; everything beyond is solid
@@ -20,7 +33,8 @@ namespace adaptive_localization {
 ///     furniture: [...]                             # solids that the map does not show
 ///     route: [[1, 1], [6, 3]]                      # way-points of the scripted drive, a loop
 ///     start: [1, 1, 0]                             # x, y, yaw
-///     landmarks: [{id: 0, at: [1, 2]}, ...]        # what can be recognized, see landmark_map.hpp
+///     paint: {lines: [[[0, 1], [7, 1]]]}           # on the floor, see below
+///     landmarks: [{id: 0, at: [1, 2]}, ...]        # what can be recognized, see landmark_file.hpp
 ///
 /// Metres and radians in the map frame. Only the outline is required; other keys than these are
 /// refused.
@@ -32,6 +46,7 @@ struct FloorPlan {
   std::vector<Polygon> furniture;
   std::vector<Eigen::Vector2d> route;
   std::optional<Pose2> start;
+  Paint paint;
   std::vector<Landmark> landmarks;
 };
 

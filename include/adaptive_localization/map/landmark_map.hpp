@@ -10,6 +10,7 @@ namespace adaptive_localization {
 struct Landmark {
   int id{0};              // from 0 on; landmarks that look the same share one
   Eigen::Vector2d place;  // in the map, m
+  double reflector{0.0};  // width of the reflector that it is, m; 0: it is none
 };
 
 /// Known landmarks.

@@ -6,11 +6,14 @@
 
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/core/scan.hpp"
+#include "adaptive_localization/map/landmark_map.hpp"
 #include "adaptive_localization/sim/drive_base.hpp"
 
 namespace adaptive_localization {
 
-/// A SICK LMS-291 as the sicklms driver shows it.
+/// A SICK LMS-291 as the sicklms driver shows it. Where the world has reflectors, scans have
+/// intensities, from 0 to 255: a beam that ends on one, by its spot of 0.0129 rad at least, is
+/// bright.
 struct LaserOptions {
   int lasers{1};
   int laser_beams{181};
@@ -27,6 +30,8 @@ struct LaserOptions {
   double laser_grazing{0.3};
   double laser_short{0.002};
   double laser_dazzle{1e-4};
+  double laser_glare{5e-4};
+  double laser_intensity_noise{10.0};
   double laser_latency{0.0};
 
   template <class Visitor>
@@ -57,6 +62,10 @@ struct LaserOptions {
            "Share of beams that meet a surface at more than 80 degrees and return nothing valid.");
     option("laser_short", laser_short, kProbability, "", "Share of random short readings.");
     option("laser_dazzle", laser_dazzle, kProbability, "", "Share of invalid readings.");
+    option("laser_glare", laser_glare, kProbability, "",
+           "Share of other beams that are as bright as those that end on a reflector.");
+    option("laser_intensity_noise", laser_intensity_noise, Range{0, 255}, "",
+           "Standard deviation of an intensity: 200 on a reflector, else 40.");
     option("laser_latency", laser_latency, Range{0, 10}, "s",
            "A scan comes, and is stamped, so long after it was taken (0.1 at 38400 baud).");
   }
@@ -70,21 +79,33 @@ class Laser {
   /// The true range of a ray (map frame), max_range if it meets nothing.
   using Caster = std::function<double(const Pose2& T_map_ray, double max_range)>;
 
-  Laser(const LaserOptions& options, const Pose2& T_base_laser, Rng rng);
+  /// Of the landmarks those that are reflectors count.
+  Laser(const LaserOptions& options, const Pose2& T_base_laser, Rng rng,
+        const std::vector<Landmark>& landmarks = {});
 
   /// The scan of a robot that is at a pose when the first beam is sent and drives on while the
-  /// others are; NaN invalid, infinity no return, as sicklms gives them.
+  /// others are; NaN invalid, infinity no return, as sicklms gives them. What returns nothing has
+  /// an intensity of 0.
   LaserScan scan(const Pose2& T_map_base, const Caster& cast, const Velocity& velocity = {});
 
   const Pose2& mount() const { return T_base_laser_; }
 
  private:
-  float measure(const Pose2& T_map_ray, const Caster& cast);
+  struct Beam {
+    float range;
+    bool is_on_reflector{false};
+  };
+
+  Beam measure(const Pose2& T_map_ray, const Caster& cast);
+  bool isOnReflector(const Pose2& T_map_ray, double range) const;
+  float intensity(const Beam& beam);
 
   LaserOptions options_;
   Pose2 T_base_laser_;
   Rng rng_;
+  Rng intensity_rng_;  // so that reflectors do not change ranges
   double bias_;
+  std::vector<Landmark> reflectors_;
   bool second_half_{false};
 };
 

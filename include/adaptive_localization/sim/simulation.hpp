@@ -130,6 +130,7 @@ class Simulation {
   OdometryReading odometry() const { return {time(), odometry_.pose(), odometry_.velocity()}; }
   const std::vector<Eigen::Vector2d>& people() const { return people_.places(); }
   const std::vector<Pose2>& laserMounts() const { return laser_mounts_; }  // T_base_laser of each
+  const Paint& paint() const { return paint_; }
   const RouteFollower& driver() const { return driver_; }
 
   bool hasImu() const { return options_.imu.imu; }
@@ -165,6 +166,7 @@ class Simulation {
 
   SimulationOptions options_;
   std::shared_ptr<const World> world_;
+  Paint paint_;
   std::shared_ptr<const FreeSpace> free_space_;
   Rng rng_;
   DriveBase base_;

@@ -38,6 +38,7 @@ struct Site {
   std::vector<Eigen::Vector2d> route;  // may be empty
   std::optional<Pose2> start;
   std::vector<Landmark> landmarks{};
+  Paint paint{};
 };
 
 /// Reads a floor plan (a YAML file with an outline) or a map (a YAML file that names an image).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reflectors.hpp"
+#include "adaptive_localization/core/reflectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,9 @@ namespace {
 constexpr double kRangeDeviation = 0.05;  // m
 constexpr double kStep = 0.2;             // m, of range, from one beam to the next of a reflector
 
-bool isBright(const LaserScan& scan, const std::vector<float>& intensities, std::size_t i,
-              double least) {
+bool isBright(const LaserScan& scan, std::size_t i, double least) {
   const double range = scan.ranges[i];
-  return intensities[i] >= least && range >= scan.range_min && range <= scan.range_max &&
+  return scan.intensities[i] >= least && range >= scan.range_min && range <= scan.range_max &&
          range > 0.0;
 }
 
@@ -37,17 +36,18 @@ Sighting sightingOf(const LaserScan& scan, const LaserMount& mount, std::size_t 
 
 }  // namespace
 
-std::vector<Sighting> reflectorsIn(const LaserScan& scan, const std::vector<float>& intensities,
-                                   const LaserMount& mount, double least) {
+std::optional<std::vector<Sighting>> reflectorsIn(const LaserScan& scan, const LaserMount& mount,
+                                                  const ScanOptions& options) {
+  const double least = options.reflector_intensity;
+  if (!(least > 0.0) || scan.intensities.size() != scan.ranges.size()) return std::nullopt;
   std::vector<Sighting> sightings;
-  if (intensities.size() != scan.ranges.size()) return sightings;
   for (std::size_t i = 0; i < scan.ranges.size();) {
-    if (!isBright(scan, intensities, i, least)) {
+    if (!isBright(scan, i, least)) {
       ++i;
       continue;
     }
     std::size_t last = i;
-    while (last + 1 < scan.ranges.size() && isBright(scan, intensities, last + 1, least) &&
+    while (last + 1 < scan.ranges.size() && isBright(scan, last + 1, least) &&
            std::abs(scan.ranges[last + 1] - scan.ranges[last]) < kStep) {
       ++last;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bag/reflectors.hpp"
+#include "adaptive_localization/core/reflectors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,25 +19,28 @@ class Reflectors : public testing::Test {
     scan_.angle_increment = kPi / 180;
     scan_.range_max = 8.0;
     scan_.ranges.assign(181, 4.0F);
-    intensities_.assign(181, 10.0F);
+    scan_.intensities.assign(181, 10.0F);
+    options_.reflector_intensity = 100.0;
   }
 
   void shine(int from, int to, float range) {
     for (int i = from; i <= to; ++i) {
-      intensities_[static_cast<std::size_t>(i)] = 200.0F;
+      scan_.intensities[static_cast<std::size_t>(i)] = 200.0F;
       scan_.ranges[static_cast<std::size_t>(i)] = range;
     }
   }
 
+  std::vector<Sighting> reflectors() const { return reflectorsIn(scan_, mount_, options_).value(); }
+
   LaserScan scan_;
-  std::vector<float> intensities_;
   LaserMount mount_;
+  ScanOptions options_;
 };
 
 TEST_F(Reflectors, AreBrightRunsOfBeams) {
   shine(89, 91, 3.0F);
   shine(120, 120, 2.0F);
-  const auto sightings = reflectorsIn(scan_, intensities_, mount_, 100.0);
+  const auto sightings = reflectors();
   ASSERT_THAT(sightings, SizeIs(2));
   EXPECT_EQ(sightings[0].id, -1);
   EXPECT_NEAR(sightings[0].range, 3.0, 0.001);
@@ -51,29 +54,36 @@ TEST_F(Reflectors, AreBrightRunsOfBeams) {
 TEST_F(Reflectors, OneBehindAnotherAreTwo) {
   shine(60, 62, 3.0F);
   shine(63, 65, 5.0F);
-  EXPECT_THAT(reflectorsIn(scan_, intensities_, mount_, 100.0), SizeIs(2));
+  EXPECT_THAT(reflectors(), SizeIs(2));
 }
 
 TEST_F(Reflectors, AreSeenFromBase) {
   shine(90, 90, 3.0F);
   mount_ = LaserMount::level({0.5, 0.0, kPi / 2});
-  const auto sightings = reflectorsIn(scan_, intensities_, mount_, 100.0);
+  const auto sightings = reflectors();
   ASSERT_THAT(sightings, SizeIs(1));
   EXPECT_NEAR(sightings[0].range, std::hypot(0.5, 3.0), 1e-6);
   EXPECT_NEAR(sightings[0].bearing, std::atan2(3.0, 0.5), 1e-6);
 }
 
-TEST_F(Reflectors, AreNoneWithoutIntensitiesOrRanges) {
-  EXPECT_THAT(reflectorsIn(scan_, intensities_, mount_, 100.0), IsEmpty());
+TEST_F(Reflectors, AreNoneWhereNothingIsBrightOrHasARange) {
+  EXPECT_THAT(reflectors(), IsEmpty());
   shine(80, 82, std::numeric_limits<float>::infinity());
   shine(83, 84, std::numeric_limits<float>::quiet_NaN());
   shine(85, 86, 20.0F);
-  EXPECT_THAT(reflectorsIn(scan_, intensities_, mount_, 100.0), IsEmpty());
+  EXPECT_THAT(reflectors(), IsEmpty());
+}
+
+TEST_F(Reflectors, AreNotToldUnaskedOrWithoutIntensities) {
   shine(90, 90, 3.0F);
-  intensities_.resize(10);
-  EXPECT_THAT(reflectorsIn(scan_, intensities_, mount_, 100.0), IsEmpty());
-  intensities_.clear();
-  EXPECT_THAT(reflectorsIn(scan_, intensities_, mount_, 100.0), IsEmpty());
+  ASSERT_THAT(reflectors(), SizeIs(1));
+  scan_.intensities.resize(10);
+  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
+  scan_.intensities.clear();
+  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
+  scan_.intensities.assign(181, 200.0F);
+  options_.reflector_intensity = 0.0;
+  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
 }
 
 }  // namespace
