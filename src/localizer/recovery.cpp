@@ -87,6 +87,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   odds_.checkJump(motion);
   scan_fits_ = false;
   if (!tells(observations)) {
+    ground_.places->askAnew();
     odds_.seeNothing();
     return conclude();
   }
@@ -94,6 +95,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const double error = errorAt(T_map_base, observations);
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
+  if (unexplained_ == 1) ground_.places->askAnew();
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
     if (!is_settled_) {

@@ -37,6 +37,9 @@ class Places {
   /// goes on. Until this is called for the first time there is no limit.
   void beginUpdate(const Pose2& T_odom_base, SearchWork work);
 
+  /// The robot may have been carried away: a scan from before tells no more where it is.
+  void askAnew() { question_.reset(); }
+
   /// Of this update's work; below 0 by one step of a search at the most.
   SearchWork workLeft() const { return work_left_; }
 
