@@ -39,6 +39,7 @@ void EkfIcp::reset(const Prior& prior) {
   gainsaid_ = 0;
   way_ = 0.0;
   match_.reset();
+  if (parts_.sonars) parts_.sonars->forget();
   anywhere_ = std::holds_alternative<Anywhere>(prior);
   const auto* cloud = std::get_if<Particles>(&prior);
   if (cloud && cloud->size() > 0) {
@@ -65,9 +66,10 @@ Estimate EkfIcp::estimate() const {
 
 Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   const Pose2 before = tracker_.mean();
-  if (isPlausible(motion)) tracker_.predict(motion, parts_.motion->covariance(motion));
+  if (isPlausible(motion)) move(motion);
   if (anywhere_) startAt(observations);
   tracker_.correctBy(*parts_.senses, observations);
+  if (parts_.sonars && !anywhere_) correctBySonars(observations);
   match_ = tracker_.matchAt(tracker_.mean(), observations.scan);
   if (mayBeJump(motion, observations.stamp - stamp_)) undoJump(before, observations.scan);
   stamp_ = observations.stamp;
@@ -78,6 +80,19 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   if (match_->fault == MatchFault::kSlides) weighCloud(observations);
   if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
   return estimate();
+}
+
+void EkfIcp::move(const Pose2& motion) {
+  const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
+  tracker_.predict(motion, noise);
+  if (parts_.sonars) parts_.sonars->move(motion, noise);
+}
+
+void EkfIcp::correctBySonars(const Observations& observations) {
+  for (const LineMatch& match : parts_.sonars->listen(observations.sonar, tracker_.belief())) {
+    const PoseObservation seen{match.innovationAt(tracker_.mean()), match.H, match.R};
+    if (!tracker_.isOutlier(seen)) tracker_.correct(seen);
+  }
 }
 
 /// Where the first scan fits best: poses are drawn there, and the heaviest cluster is believed.
@@ -91,6 +106,7 @@ void EkfIcp::startAt(const Observations& observations) {
 
 /// Odometry can jump by a metre while the robot stands: the scan tells.
 void EkfIcp::undoJump(const Pose2& T_map_base_before, const Scan& scan) {
+  if (parts_.sonars) parts_.sonars->forget();
   const Match stayed = tracker_.matchAt(T_map_base_before, scan);
   if (!stayed.isGood() || stayed.inlier_ratio < kBetter * match_->inlier_ratio) return;
   tracker_.reset({T_map_base_before, tracker_.covariance()});

@@ -13,6 +13,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/particle/pose_sampler.hpp"
 #include "match/scan_tracker.hpp"
+#include "match/sonar_line_matcher.hpp"
 
 namespace adaptive_localization {
 
@@ -26,8 +27,8 @@ struct EkfOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
-           "What corrects the pose: hits matched with the map, or straight lines in the scan with "
-           "those of line_map.");
+           "What corrects the pose: hits matched with the map, or straight lines in the scan, and "
+           "those that sonars hear on the way, with those of line_map.");
     option("ekf_gate", ekf_gate, Range{1e-6, 1e12}, "",
            "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
            "11.34 holds for 99 of 100 right ones.");
@@ -47,6 +48,7 @@ struct EkfParts {
   std::unique_ptr<PoseSampler> elsewhere;
   std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
   std::unique_ptr<ObservationModel> scans{};  // null: a map on which matches correct
+  std::optional<SonarLineMatcher> sonars{};   // none: one of the senses
 };
 
 /// An extended Kalman filter that is corrected by matching scans with the map:
@@ -74,6 +76,8 @@ class EkfIcp : public Filter {
   const Match* match() const override { return match_ ? &*match_ : nullptr; }
 
  private:
+  void move(const Pose2& motion);
+  void correctBySonars(const Observations& observations);
   void undoJump(const Pose2& T_map_base_before, const Scan& scan);
   void correct();
   void weighCloud(const Observations& observations);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kalman_filters.hpp"
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "adaptive_localization/match/line_matcher.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
@@ -12,33 +15,34 @@
 namespace adaptive_localization {
 namespace {
 
-MatchScan makeMatchScan(const std::string& landmarks, const Parameters& given,
-                        const Ground& ground) {
-  const auto options = given.read<MatchOptions>();
-  const auto lines = given.read<LineOptions>();
-  if (landmarks == "hits")
-    return matchBy(makeScanMatcher(options, *ground.map, ground.field->quality()));
-  if (options.line_map.empty()) {
-    throw std::invalid_argument(
-        "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
-  }
-  return matchBy(LineMatcher(lines, loadLineMap(options.line_map, ground.map->lattice())));
+/// The walls that lines are matched with; nothing where hits are.
+std::optional<std::vector<Segment>> surfacesFor(const std::string& landmarks,
+                                                const Parameters& given, const Lattice& lattice) {
+  if (landmarks == "hits") return std::nullopt;
+  const std::string file = given.read<MatchOptions>().line_map;
+  if (!file.empty()) return loadLineMap(file, lattice);
+  throw std::invalid_argument(
+      "option 'line_map': got '', expected a floor plan, as ekf_landmarks is 'lines'");
 }
 
 std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   const Parameters& given = context.parameters;
+  const Ground& ground = context.ground;
   const auto options = given.read<EkfOptions>();
+  const auto matching = given.read<MatchOptions>();
+  const auto lines = given.read<LineOptions>();
   PlaceSamplerOptions places;
   places.place_ser_share = 0.0;  // the best places alone
+  const auto surfaces = surfacesFor(options.ekf_landmarks, given, ground.map->lattice());
   EkfParts parts{
       makeMotionModel(context.models.motions, given),
-      makeMatchScan(options.ekf_landmarks, given, context.ground),
-      std::make_unique<PlaceSampler>(places, placesFor(context.ground, given), context.ground.map),
-      makeSenses(context.models.senses, given, context.ground.map, context.ground.field)};
-  const Ground& ground = context.ground;
+      surfaces ? matchBy(LineMatcher(lines, *surfaces))
+               : matchBy(makeScanMatcher(matching, *ground.map, ground.field->quality())),
+      std::make_unique<PlaceSampler>(places, placesFor(ground, given), ground.map),
+      makeSenses(context.models.senses, given, ground.map, ground.field, surfaces ? "sonar" : "")};
+  if (surfaces) parts.sonars.emplace(lines, *surfaces);
   auto scans = makeObservationModel(context.models.observations, given, ground.map, ground.field);
-  const bool has_plan = !given.read<MatchOptions>().line_map.empty();
-  const bool hits_slide = ground.field->quality().hasThickWalls() && !has_plan;
+  const bool hits_slide = ground.field->quality().hasThickWalls() && matching.line_map.empty();
   if (options.ekf_weigh_cloud && hits_slide) parts.scans = std::move(scans);
   return std::make_unique<EkfIcp>(options, std::move(parts), context.seed);
 }

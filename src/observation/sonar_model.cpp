@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "adaptive_localization/core/parallel.hpp"
+#include "sonar_reading.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -15,23 +16,9 @@ namespace {
 constexpr int kRays = 7;                 // across a cone
 constexpr double kFacedEcho = 0.9;       // probability of an echo of a wall that is faced,
 constexpr double kObliqueEcho = 0.3;     // and of one that is not
-constexpr double kShareOfRange = 0.01;   // standard deviation
 constexpr double kMostDeviations = 4.0;  // of an echo, beyond which it is of something else
 constexpr double kMetresEach = 0.05;     // what a deviation counts for in misfit(), m
 constexpr std::size_t kLeastEchoes = 4;  // that localize
-
-/// Sources refuse what makes no sense; whoever calls a core may not.
-bool isUsable(const SonarReading& reading) {
-  constexpr double kMost = 1e3;  // m
-  const Pose2& mount = reading.T_base_sonar;
-  return reading.range >= 0.0 && reading.max_range > 0.0 && reading.max_range < kMost &&
-         reading.view >= 0.0 && reading.view <= 2.0 * kPi && isFinite(mount) &&
-         std::hypot(mount.x, mount.y) < kMost;
-}
-
-bool isEcho(const SonarReading& reading) {
-  return reading.range < reading.max_range;
-}
 
 std::vector<SonarReading> usableIn(const Observations& observations) {
   std::vector<SonarReading> usable;
@@ -75,7 +62,7 @@ SonarModel::Wall SonarModel::nearestWall(const SonarReading& reading, const Pose
 }
 
 double SonarModel::deviation(const SonarReading& reading) const {
-  return options_.sonar_sigma + kShareOfRange * (isEcho(reading) ? reading.range : 0.0);
+  return options_.sonar_sigma + shareOfRange(isEcho(reading) ? reading.range : 0.0);
 }
 
 double SonarModel::likelihood(const SonarReading& reading, const Pose2& T_map_base) const {

@@ -17,7 +17,7 @@ struct ScanLine {
   double alpha{0.0};                                    // rad
   Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};  // over (rho, alpha)
   Eigen::Vector2d a{0.0, 0.0}, b{0.0, 0.0};             // ends in base, m, as the beams pass them
-  std::vector<int> hits;                                // of the scan, in their order
+  std::vector<int> hits;  // of the scan, in their order; none of sonars
 
   double length() const { return (b - a).norm(); }
 };

@@ -10,6 +10,7 @@ struct LineOptions {
   double line_least_length{0.4};
   double line_split{4.0};
   double line_range_std{0.03};
+  double line_sonar_std{0.02};
   double line_map_std{0.01};
   double line_map_turn_std{0.002};
   double line_gate{9.21};
@@ -27,6 +28,8 @@ struct LineOptions {
            "Hits farther from a line than so many times their noise are not of it.");
     option("line_range_std", line_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges, as lines take it.");
+    option("line_sonar_std", line_sonar_std, kPositiveDeviation, "m",
+           "The same of sonars; 1 % of the range comes on top.");
     option("line_map_std", line_map_std, kDeviation, "m",
            "Standard deviation of what all of a line's hits have in common: errors of the map's "
            "wall and of the laser's ranges.");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "adaptive_localization/observation/observation_model.hpp"
@@ -45,11 +46,12 @@ inline Senses noSenses() {
   return std::make_shared<ComposedModel>();
 }
 
-/// The models of all senses beside the laser, which all cores listen to. A sense that observed
-/// nothing says nothing.
+/// The models of all senses beside the laser, which all cores listen to, but for one that a core
+/// hears in its own way. A sense that observed nothing says nothing.
 std::unique_ptr<ComposedModel> makeSenses(const Registry<ObservationDescription>& senses,
                                           const Parameters& given,
                                           const std::shared_ptr<const OccupancyGrid>& map,
-                                          const std::shared_ptr<const DistanceField>& field);
+                                          const std::shared_ptr<const DistanceField>& field,
+                                          const std::string& but_for = {});
 
 }  // namespace adaptive_localization
