@@ -136,12 +136,13 @@ void Recovery::verify(const Estimate& estimate, const Observations& all) {
   conclude();
 }
 
-/// A doubt waits until it is known where else the robot can be, and may be gone by then.
+/// A doubt waits until it is known where else the robot can be.
 bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
                          const Observations& observations) {
   if (told_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  if (told_.isCheckDue() || isDoubtful(error, is_seen)) return isAnswered(observations);
+  in_doubt_ = in_doubt_ || told_.isCheckDue() || isDoubtful(error, is_seen);
+  if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
 }
 
@@ -166,7 +167,7 @@ void Recovery::open(const Pose2& T_map_base) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  searched_ = explained_ = has_left_ = false;
+  searched_ = explained_ = has_left_ = in_doubt_ = false;
   left_way_ = 0.0;
   contradictions_ = 0;
   way_ = kNewWay;  // the first scan counts in full

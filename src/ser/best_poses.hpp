@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/search_pose.hpp"
 
 namespace adaptive_localization {
 

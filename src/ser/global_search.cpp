@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/ser/place_search.hpp"
 #include "best_poses.hpp"
 #include "place_refiner.hpp"
 #include "pose_search.hpp"
@@ -45,14 +44,6 @@ std::unique_ptr<PoseSearch> GlobalSearch::begin(const DirectionalScan& scan) con
 std::unique_ptr<const PlaceRefiner> GlobalSearch::refinerFor(const Scan& scan) const {
   return std::make_unique<const PlaceRefiner>(map_, field_, scan, scan.max_range,
                                               options_.search_truncation);
-}
-
-std::vector<Place> GlobalSearch::find(const Scan& scan) const {
-  PlaceSearch search(std::shared_ptr<const GlobalSearch>(std::shared_ptr<const void>(), this),
-                     scan);
-  SearchWork unlimited = kUnlimitedWork;
-  search.advance(unlimited);
-  return search.places({}, scan);
 }
 
 std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) const {

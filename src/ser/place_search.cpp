@@ -72,4 +72,11 @@ std::vector<Place> PlaceSearch::places(const Pose2& motion, const Scan& scan) co
   return distinctPlaces(places);
 }
 
+std::vector<Place> findPlaces(std::shared_ptr<const GlobalSearch> search, const Scan& scan) {
+  PlaceSearch parts(std::move(search), scan);
+  SearchWork unlimited = kUnlimitedWork;
+  parts.advance(unlimited);
+  return parts.places({}, scan);
+}
+
 }  // namespace adaptive_localization

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/search_pose.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
 #include "best_poses.hpp"
 #include "scan_targets.hpp"

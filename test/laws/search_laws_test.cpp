@@ -70,7 +70,7 @@ class SearchLaw : public testing::Test {
 
   std::shared_ptr<const EnergyGrid> grid_;
   GlobalSearchOptions options_;
-  std::unique_ptr<GlobalSearch> search_;
+  std::shared_ptr<const GlobalSearch> search_;
   Rng rng_{4};
 };
 

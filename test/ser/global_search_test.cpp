@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "adaptive_localization/core/parallel.hpp"
+#include "adaptive_localization/ser/place_search.hpp"
 #include "ser_toys.hpp"
 #include "support/pose_matchers.hpp"
 
@@ -53,7 +54,7 @@ TEST(GlobalSearch, FindsWhereAScanOfTheRealMazeWasTaken) {
   std::vector<double> visited;
   for (int n = 0; n < kScans; ++n) {
     const Pose2 truth = standingPose(rng, *map, field);
-    const auto places = search->find(scanOf(*world, truth, rng));
+    const auto places = findPlaces(search, scanOf(*world, truth, rng));
     visited.push_back(search->visitedShare());
     const auto isRight = [&](const Place& place) {
       const double turned = std::abs(wrapAngle(place.T_map_base.theta - truth.theta));
@@ -82,7 +83,7 @@ TEST(GlobalSearch, FindsTheRobotWhoseLaserAndMapAreTurned) {
   LaserScan message = kHalfCircle.read(map, laser);
   std::reverse(message.ranges.begin(), message.ranges.end());  // as seen upside down
   const Scan scan = toScan(message, mount, ScanOptions{});
-  const auto places = searchOn(gridOf(map, geometryOf(scan, 10.0)), map)->find(scan);
+  const auto places = findPlaces(searchOn(gridOf(map, geometryOf(scan, 10.0)), map), scan);
   ASSERT_FALSE(places.empty());
   EXPECT_THAT(places.front().T_map_base, PoseNear(truth, 0.05, 0.03));
 }
@@ -92,7 +93,7 @@ TEST(GlobalSearch, NamesBothOfTwins) {
   const auto search = searchOn(gridOf(map), map);
   const Pose2 truth{2.3, 0.8, 0.4};
   const Pose2 twin{6.0 - truth.x, 3.0 - truth.y, wrapAngle(truth.theta + kPi)};
-  const auto places = search->find(toScan(kHalfCircle.read(map, truth)));
+  const auto places = findPlaces(search, toScan(kHalfCircle.read(map, truth)));
   ASSERT_GE(places.size(), 2U);
   const auto first = places[0].T_map_base, second = places[1].T_map_base;
   EXPECT_TRUE(distance(first, truth) < 0.05 || distance(first, twin) < 0.05);
@@ -106,7 +107,7 @@ TEST(GlobalSearch, GivesDistinctPlacesByAscendingError) {
   options.search_margin = 0.3;
   options.search_max_places = 7;
   const auto search = searchOn(gridOf(map), map, options);
-  const auto places = search->find(toScan(kHalfCircle.read(map, {0.8, 0.8, 1.5})));
+  const auto places = findPlaces(search, toScan(kHalfCircle.read(map, {0.8, 0.8, 1.5})));
   EXPECT_GT(places.size(), 1U);
   EXPECT_LE(places.size(), 7U);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -123,10 +124,10 @@ TEST(GlobalSearch, FindsNothingForScansThatTellNothing) {
   const MapPtr map = smallRoom();
   const auto search = searchOn(gridOf(map), map);
   LaserScan message = kHalfCircle.read(map, {1.5, 1.0, 0.0});
-  EXPECT_TRUE(search->find(Scan{}).empty());
+  EXPECT_TRUE(findPlaces(search, Scan{}).empty());
   for (const float nothing : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
     std::fill(message.ranges.begin(), message.ranges.end(), nothing);
-    EXPECT_TRUE(search->find(toScan(message)).empty()) << nothing;
+    EXPECT_TRUE(findPlaces(search, toScan(message)).empty()) << nothing;
   }
 }
 
@@ -135,7 +136,7 @@ TEST(GlobalSearch, OutlivesScansOfAFewBeams) {
   const auto search = searchOn(gridOf(map), map);
   LaserScan message = kHalfCircle.read(map, {0.8, 0.8, 1.5});
   for (std::size_t i = 1; i < message.ranges.size(); ++i) message.ranges[i] = std::nanf("");
-  const auto places = search->find(toScan(message));
+  const auto places = findPlaces(search, toScan(message));
   EXPECT_GT(places.size(), 1U);
   EXPECT_LE(places.size(), 100U);
   EXPECT_LT(places.front().error, 0.05);

@@ -56,10 +56,10 @@ inline std::shared_ptr<const EnergyGrid> gridOf(const MapPtr& map,
   return std::make_shared<const EnergyGrid>(*map, geometry, options);
 }
 
-inline std::unique_ptr<GlobalSearch> searchOn(const std::shared_ptr<const EnergyGrid>& grid,
+inline std::shared_ptr<const GlobalSearch> searchOn(const std::shared_ptr<const EnergyGrid>& grid,
                                               const MapPtr& map,
                                               const GlobalSearchOptions& options = {}) {
-  return std::make_unique<GlobalSearch>(grid, map, std::make_shared<const DistanceField>(*map),
+  return std::make_shared<const GlobalSearch>(grid, map, std::make_shared<const DistanceField>(*map),
                                         options);
 }
 

@@ -129,7 +129,8 @@ class Recovery {
   Status status_{Status::kUninitialised};
 
   bool scan_fits_{false};  // the core's place, as well as is usual
-  bool is_settled_{true};  // there is one place, the core's
+  bool is_settled_{true};  // there is one place, the core's,
+  bool in_doubt_{false};   // but others are being searched for
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
   ToldPose told_;

@@ -21,7 +21,7 @@ struct LocalizerOptions {
   int threads{1};
   double update_min_d{0.1};
   double update_min_a{0.05};
-  double update_budget{5.0};
+  double update_budget{0.0};
   bool recovery{false};
   bool refine{false};
 
@@ -39,10 +39,12 @@ struct LocalizerOptions {
            "Distance to travel before the filter is updated.");
     option("update_min_a", update_min_a, kNotNegative, "rad",
            "Angle to turn before the filter is updated.");
-    option("update_budget", update_budget, kNotNegative, "ms",
-           "Time that searching the map may take in one update, on a core of 3 GHz; a search that "
-           "takes longer goes on with the next scans. Counted in poses looked at, so that a slower "
-           "machine finds the same; 0: no limit. The first scan is searched for at once.");
+    option(
+        "update_budget", update_budget, kNotNegative, "ms",
+        "Time that searching the map may take in one update, on a core of 3 GHz; a search that "
+        "takes longer goes on with the next scans, and it takes longer until wrong places are "
+        "told from the right one. Counted in poses looked at, so that a slower machine finds the "
+        "same; 0: no limit. The first scan is searched for at once.");
     option("recovery", recovery,
            "Move the filter to the places that explain the scans once they rule out its own; "
            "otherwise they only tell the status.");

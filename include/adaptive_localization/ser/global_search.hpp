@@ -2,14 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/ser/energy_grid.hpp"
-#include "adaptive_localization/ser/place.hpp"
+#include "adaptive_localization/ser/search_pose.hpp"
 
 namespace adaptive_localization {
 
@@ -39,18 +38,6 @@ struct GlobalSearchOptions {
   }
 };
 
-/// A pose of the search's lattice: a cell of the range table and the direction of beam 0.
-struct SearchPose {
-  std::uint32_t cell;
-  int direction;
-  int cost;  // sum over beams of the truncated range error, in steps
-};
-
-/// Work that may still be done, counted in poses looked at, which take some 25 ns each: the same on
-/// every machine, so that the same is found.
-using SearchWork = std::int64_t;
-constexpr SearchWork kUnlimitedWork = std::numeric_limits<SearchWork>::max();
-
 class PlaceRefiner;
 class PoseSearch;
 struct PoseSearchLimits;
@@ -70,9 +57,6 @@ class GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
                std::shared_ptr<const DistanceField> field, const GlobalSearchOptions& options);
-
-  /// Distinct places, refined below the lattice's spacing, best first; a PlaceSearch, done at once.
-  std::vector<Place> find(const Scan& scan) const;
 
   /// All lattice poses within the margin of the best, none above search_max_error and 100 000 at
   /// the most, best first, ties by cell and direction.

@@ -42,4 +42,7 @@ class PlaceSearch {
   std::vector<Pose2> distinct_;
 };
 
+/// The places where a scan can have been taken, by a search that is done at once.
+std::vector<Place> findPlaces(std::shared_ptr<const GlobalSearch> search, const Scan& scan);
+
 }  // namespace adaptive_localization
