@@ -17,7 +17,7 @@
 #include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/ser/global_search.hpp"
+#include "adaptive_localization/ser/place_search.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -73,12 +73,13 @@ void printHistogram(const EnergyGrid& grid) {
 void printPlaces(const std::shared_ptr<const EnergyGrid>& grid,
                  const std::shared_ptr<const OccupancyGrid>& map, const Scan& scan) {
   const auto field = std::make_shared<const DistanceField>(*map);
-  const GlobalSearch search(grid, map, field, GlobalSearchOptions{});
+  const auto search = std::make_shared<const GlobalSearch>(grid, map, field, GlobalSearchOptions{});
   const Stopwatch stopwatch;
-  const std::vector<Place> places = search.find(scan);
+  const std::vector<Place> places = findPlaces(search, scan);
+  const double seconds = stopwatch.seconds();
+  search->findPoses(toDirections(scan, grid->geometry()));
   std::printf("search: %zu %s in %.4f s, %.2f %% of poses visited\n", places.size(),
-              places.size() == 1 ? "place" : "places", stopwatch.seconds(),
-              100.0 * search.visitedShare());
+              places.size() == 1 ? "place" : "places", seconds, 100.0 * search->visitedShare());
   for (const auto& place : places) {
     std::printf("  x %.3f m, y %.3f m, yaw %.1f deg: mean error %.3f m\n", place.T_map_base.x,
                 place.T_map_base.y, place.T_map_base.theta * 180.0 / kPi, place.error);
