@@ -68,6 +68,7 @@ Log readLog(const ReplayCommand& command) {
   request.headings = command.parameters.read<HeadingTopics>();
   request.sonars = command.parameters.read<SonarTopics>();
   request.landmarks = command.parameters.read<LandmarkTopics>();
+  request.has_intensities = command.parameters.read<ScanOptions>().reflector_intensity > 0.0;
   request.landmark_map = knownLandmarks(command.parameters.read<LandmarkOptions>());
   Log log = adaptive_localization::readLog(request);
   if (!command.truth_file.empty()) setReference(loadTum(command.truth_file, log.warnings), log);

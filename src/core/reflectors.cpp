@@ -36,11 +36,11 @@ Sighting sightingOf(const LaserScan& scan, const LaserMount& mount, std::size_t 
 
 }  // namespace
 
-std::optional<std::vector<Sighting>> reflectorsIn(const LaserScan& scan, const LaserMount& mount,
-                                                  const ScanOptions& options) {
+void addReflectors(const LaserScan& scan, const LaserMount& mount, const ScanOptions& options,
+                   Observations& observations) {
   const double least = options.reflector_intensity;
-  if (!(least > 0.0) || scan.intensities.size() != scan.ranges.size()) return std::nullopt;
-  std::vector<Sighting> sightings;
+  if (!(least > 0.0) || scan.intensities.size() != scan.ranges.size()) return;
+  if (!observations.landmarks) observations.landmarks.emplace();
   for (std::size_t i = 0; i < scan.ranges.size();) {
     if (!isBright(scan, i, least)) {
       ++i;
@@ -51,10 +51,9 @@ std::optional<std::vector<Sighting>> reflectorsIn(const LaserScan& scan, const L
            std::abs(scan.ranges[last + 1] - scan.ranges[last]) < kStep) {
       ++last;
     }
-    sightings.push_back(sightingOf(scan, mount, i, last));
+    observations.landmarks->push_back(sightingOf(scan, mount, i, last));
     i = last + 1;
   }
-  return sightings;
 }
 
 }  // namespace adaptive_localization

@@ -62,7 +62,7 @@ class BagReader {
       : request_(request),
         stream_(request.file),
         types_(stream_.types()),
-        frames_(request.frames),
+        frames_(request.frames, request.has_intensities),
         senses_(request, frames_) {}
 
   Log read() {

@@ -21,7 +21,6 @@ LaserScan toPlainScan(const sensor_msgs::LaserScan& message) {
   scan.range_min = message.range_min;
   scan.range_max = message.range_max;
   scan.ranges = message.ranges;
-  scan.intensities = message.intensities;
   return scan;
 }
 
@@ -81,6 +80,7 @@ void BagFrames::placeWaiting(bool is_last_chance) {
     placed.frame = withoutLeadingSlash(message.header.frame_id);
     placed.has_odometry = T_odom_base.has_value();
     placed.scan.T_odom_base = T_odom_base.value_or(Pose2{});
+    if (keeps_intensities_) placed.scan.scan.intensities = message.intensities;
     mount(placed, stamp);
     placed_.push_back(std::move(placed));
     waiting_.pop_front();

@@ -27,7 +27,8 @@ class BagFrames {
     bool has_mount{false};
   };
 
-  explicit BagFrames(const FrameOptions& frames) : frames_(frames) {}
+  BagFrames(const FrameOptions& frames, bool keeps_intensities)
+      : frames_(frames), keeps_intensities_(keeps_intensities) {}
 
   void add(const tf2_msgs::TFMessage& message, bool is_static);
   void add(const sensor_msgs::LaserScan& scan);
@@ -50,6 +51,7 @@ class BagFrames {
   void mount(PlacedScan& placed, const ros::Time& stamp) const;
 
   FrameOptions frames_;
+  bool keeps_intensities_;
   tf2::BufferCore buffer_{ros::Duration(60.0)};
   double newest_{0.0};  // stamp of all transforms so far, s
   int refused_{0};

@@ -43,16 +43,13 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   const Stopwatch watch(CLOCK_THREAD_CPUTIME_ID);  // which other runs beside it do not lengthen
   Observations observations;
   observations.stamp = seen.scan.stamp;
+  observations.landmarks = seen.landmarks;
   if (!seen.scan.ranges.empty()) {
     observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
-    observations.landmarks = reflectorsIn(seen.scan, mount, localizer.scanOptions());
+    addReflectors(seen.scan, mount, localizer.scanOptions(), observations);
   }
   observations.heading = seen.heading;
   observations.gyro = seen.gyro;
-  if (seen.landmarks) {
-    auto& all = observations.landmarks ? *observations.landmarks : observations.landmarks.emplace();
-    all.insert(all.end(), seen.landmarks->begin(), seen.landmarks->end());
-  }
   observations.sonar = seen.sonar;
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);

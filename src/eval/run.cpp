@@ -26,14 +26,6 @@ std::optional<BaseVelocity> velocityBetween(const LogScan& before, const LogScan
   return BaseVelocity{motion.x / seconds, motion.y / seconds, motion.theta / seconds};
 }
 
-/// What was sighted before, and the scan's reflectors.
-std::optional<std::vector<Sighting>> landmarksOf(const LogScan& scan, const ScanOptions& options) {
-  auto all = reflectorsIn(scan.scan, scan.mount, options);
-  if (!all || !scan.landmarks) return all ? all : scan.landmarks;
-  all->insert(all->end(), scan.landmarks->begin(), scan.landmarks->end());
-  return all;
-}
-
 RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer) {
   const Stopwatch watch;
   const Stopwatch cpu_watch(CLOCK_PROCESS_CPUTIME_ID);
@@ -42,7 +34,8 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   observations.scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity);
   observations.heading = log_scan.heading;
   observations.gyro = log_scan.gyro;
-  observations.landmarks = landmarksOf(log_scan, localizer.scanOptions());
+  observations.landmarks = log_scan.landmarks;
+  addReflectors(log_scan.scan, log_scan.mount, localizer.scanOptions(), observations);
   observations.sonar = log_scan.sonar;
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;

@@ -101,7 +101,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
-  observations.landmarks = reflectorsIn(laser_scan, mount, localizer_->scanOptions());
+  addReflectors(laser_scan, mount, localizer_->scanOptions(), observations);
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp, arrival);
   return true;

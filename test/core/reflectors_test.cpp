@@ -30,7 +30,12 @@ class Reflectors : public testing::Test {
     }
   }
 
-  std::vector<Sighting> reflectors() const { return reflectorsIn(scan_, mount_, options_).value(); }
+  std::optional<std::vector<Sighting>> told() const {
+    Observations observations;
+    addReflectors(scan_, mount_, options_, observations);
+    return observations.landmarks;
+  }
+  std::vector<Sighting> reflectors() const { return told().value(); }
 
   LaserScan scan_;
   LaserMount mount_;
@@ -78,12 +83,24 @@ TEST_F(Reflectors, AreNotToldUnaskedOrWithoutIntensities) {
   shine(90, 90, 3.0F);
   ASSERT_THAT(reflectors(), SizeIs(1));
   scan_.intensities.resize(10);
-  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
+  EXPECT_FALSE(told());
   scan_.intensities.clear();
-  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
+  EXPECT_FALSE(told());
   scan_.intensities.assign(181, 200.0F);
   options_.reflector_intensity = 0.0;
-  EXPECT_FALSE(reflectorsIn(scan_, mount_, options_));
+  EXPECT_FALSE(told());
+}
+
+TEST_F(Reflectors, ComeBesideWhatIsSightedOtherwise) {
+  shine(90, 90, 3.0F);
+  Sighting post;
+  post.id = 4;
+  Observations observations;
+  observations.landmarks = {post};
+  addReflectors(scan_, mount_, options_, observations);
+  EXPECT_THAT(
+      observations.landmarks.value(),
+      testing::ElementsAre(testing::Field(&Sighting::id, 4), testing::Field(&Sighting::id, -1)));
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ struct LogRequest {
   HeadingTopics headings;
   SonarTopics sonars;
   LandmarkTopics landmarks;
-  LandmarkMap landmark_map;  // those that may be sighted
+  bool has_intensities{false};  // whether scans shall have those of the recording
+  LandmarkMap landmark_map;     // those that may be sighted
 };
 
 /// Whether a stamp lies within begin and end, to the microsecond that text gives them with.
