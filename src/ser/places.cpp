@@ -133,13 +133,12 @@ bool Places::isReadyFor(const Scan& scan) {
 
 void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
   constexpr double kStale = 3.0;  // m or rad, after which odometry tells too little
-  constexpr int kForgotten = 10;  // updates, after which nobody wants to know any more
   const Pose2 motion = between(T_odom_base_, T_odom_base);
   T_odom_base_ = T_odom_base;
   way_ += std::hypot(motion.x, motion.y) + std::abs(motion.theta);
   work_left_ = work;
   if (!question_) return;
-  if (!(way_ < kStale) || ++unasked_ > kForgotten) {
+  if (!(way_ < kStale)) {
     question_.reset();
   } else {
     question_->search->advance(work_left_);
@@ -157,7 +156,6 @@ std::optional<std::vector<Place>> Places::search(const Observations& observation
         Question{T_odom_base_, std::make_shared<PlaceSearch>(entry->search, observations.scan)};
     way_ = 0.0;
   }
-  unasked_ = 0;
   if (!question_->search->advance(work_left_)) return std::nullopt;
   found_ =
       question_->search->places(between(question_->T_odom_base, T_odom_base_), observations.scan);

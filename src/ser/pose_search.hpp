@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/ser/search_pose.hpp"
 #include "adaptive_localization/ser/range_table.hpp"
+#include "adaptive_localization/ser/search_pose.hpp"
 #include "best_poses.hpp"
 #include "scan_targets.hpp"
 

@@ -57,10 +57,10 @@ inline std::shared_ptr<const EnergyGrid> gridOf(const MapPtr& map,
 }
 
 inline std::shared_ptr<const GlobalSearch> searchOn(const std::shared_ptr<const EnergyGrid>& grid,
-                                              const MapPtr& map,
-                                              const GlobalSearchOptions& options = {}) {
-  return std::make_shared<const GlobalSearch>(grid, map, std::make_shared<const DistanceField>(*map),
-                                        options);
+                                                    const MapPtr& map,
+                                                    const GlobalSearchOptions& options = {}) {
+  return std::make_shared<const GlobalSearch>(grid, map,
+                                              std::make_shared<const DistanceField>(*map), options);
 }
 
 /// Gaussian noise on all ranges; some beams read anything, some nothing valid, some no return.

@@ -105,7 +105,6 @@ class Places {
   std::set<std::string> said_;            // all warnings
   Pose2 T_odom_base_;                     // at this update
   double way_{0.0};                       // m or rad, since the question
-  int unasked_{0};                        // updates in a row in which nobody asked
   SearchWork work_left_{kUnlimitedWork};  // in this update
   std::optional<Question> question_;
   std::optional<Observations> searched_;  // what found_ is the answer to
