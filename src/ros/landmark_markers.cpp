@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "conversions.hpp"
+#include "marker.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -18,30 +18,17 @@ geometry_msgs::Point toPoint(const Eigen::Vector2d& place) {
   return point;
 }
 
-Marker marker(const std_msgs::Header& header, int id, int type, float red, float green,
-              float blue) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = "landmarks";
-  marker.id = id;
-  marker.type = type;
-  marker.pose = toPoseMessage(Pose2{});
-  marker.color.r = red;
-  marker.color.g = green;
-  marker.color.b = blue;
-  marker.color.a = 1.0F;
-  return marker;
-}
-
 }  // namespace
 
 visualization_msgs::MarkerArray landmarkMarkers(const std_msgs::Header& header,
                                                 const LandmarkMap& known, const Pose2& T_map_base,
                                                 const std::vector<Sighting>& sightings) {
-  Marker posts = marker(header, 0, Marker::SPHERE_LIST, 0.1F, 0.3F, 0.9F);
+  Marker posts = makeMarker(header, "landmarks", 0, Marker::SPHERE_LIST);
+  posts.color = colour(0.1F, 0.3F, 0.9F);
   posts.scale.x = posts.scale.y = posts.scale.z = 0.2;
   for (const Landmark& landmark : known.all()) posts.points.push_back(toPoint(landmark.place));
-  Marker lines = marker(header, 1, Marker::LINE_LIST, 0.9F, 0.6F, 0.1F);
+  Marker lines = makeMarker(header, "landmarks", 1, Marker::LINE_LIST);
+  lines.color = colour(0.9F, 0.6F, 0.1F);
   lines.scale.x = 0.03;
   if (sightings.empty()) lines.action = Marker::DELETE;
   for (const Sighting& sighting : sightings) {

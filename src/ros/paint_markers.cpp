@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paint_markers.hpp"
 
-#include "conversions.hpp"
+#include "marker.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -10,28 +10,12 @@ using visualization_msgs::Marker;
 
 constexpr double kCarpet = -0.02, kLines = -0.01;  // m, heights
 
-Marker marker(const std_msgs::Header& header, int id, int type, float red, float green,
-              float blue) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = "paint";
-  marker.id = id;
-  marker.type = type;
-  marker.pose = toPoseMessage(Pose2{});
-  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
-  marker.color.r = red;
-  marker.color.g = green;
-  marker.color.b = blue;
-  marker.color.a = 1.0F;
-  return marker;
-}
-
 Marker carpetMarker(const std_msgs::Header& header, const Bounds& carpet) {
   constexpr double kThick = 0.01;  // m
-  Marker cube = marker(header, 0, Marker::CUBE, 0.35F, 0.65F, 0.35F);
   const Eigen::Vector2d middle = (carpet.low + carpet.high) / 2.0;
   const Eigen::Vector2d size = carpet.high - carpet.low;
-  cube.pose = toPoseMessage(Pose2{middle.x(), middle.y(), 0.0});
+  Marker cube = makeMarker(header, "paint", 0, Marker::CUBE, {middle.x(), middle.y(), 0.0});
+  cube.color = colour(0.35F, 0.65F, 0.35F);
   cube.pose.position.z = kCarpet - kThick / 2.0;
   cube.scale.x = size.x();
   cube.scale.y = size.y();
@@ -40,7 +24,9 @@ Marker carpetMarker(const std_msgs::Header& header, const Bounds& carpet) {
 }
 
 Marker lineMarker(const std_msgs::Header& header, const Paint& paint) {
-  Marker triangles = marker(header, 1, Marker::TRIANGLE_LIST, 1.0F, 1.0F, 1.0F);
+  Marker triangles = makeMarker(header, "paint", 1, Marker::TRIANGLE_LIST);
+  triangles.color = colour(1.0F, 1.0F, 1.0F);
+  triangles.scale.x = triangles.scale.y = triangles.scale.z = 1.0;
   for (const Segment& line : paint.lines) {
     const Polygon corners = thickLine(line, paint.line_width);
     for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {

@@ -6,21 +6,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "marker.hpp"
+
 namespace adaptive_localization {
 namespace {
 
 using visualization_msgs::Marker;
 
 constexpr std::size_t kLookedAt = 5;  // poses for each point
-
-std_msgs::ColorRGBA colour(float red, float green, float blue) {
-  std_msgs::ColorRGBA result;
-  result.r = red;
-  result.g = green;
-  result.b = blue;
-  result.a = 1.0F;
-  return result;
-}
 
 /// Light blue at -1, green at 0, red at 1: a background for all else. Opaque, so that rviz draws it
 /// first.
@@ -33,11 +26,7 @@ std_msgs::ColorRGBA colourOf(double deviation) {
 
 /// None yet, squares of this size in m.
 Marker points(const std_msgs::Header& header, const char* name, double size) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.type = Marker::POINTS;
-  marker.pose.orientation.w = 1.0;
+  Marker marker = makeMarker(header, name, 0, Marker::POINTS);
   marker.scale.x = marker.scale.y = size;
   return marker;
 }

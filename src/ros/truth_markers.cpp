@@ -2,7 +2,7 @@
 #include "truth_markers.hpp"
 
 #include "adaptive_localization/sim/people.hpp"
-#include "conversions.hpp"
+#include "marker.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -11,12 +11,7 @@ using visualization_msgs::Marker;
 
 Marker marker(const std_msgs::Header& header, const char* name, int id, int type,
               const Pose2& T_map_marker) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.id = id;
-  marker.type = type;
-  marker.pose = toPoseMessage(T_map_marker);
+  Marker marker = makeMarker(header, name, id, type, T_map_marker);
   marker.lifetime = ros::Duration(2.0);
   return marker;
 }
@@ -28,13 +23,6 @@ void shape(Marker& marker, double x, double y, double z, double height) {
   marker.pose.position.z = height;
 }
 
-void paint(Marker& marker, float red, float green, float blue, float alpha) {
-  marker.color.r = red;
-  marker.color.g = green;
-  marker.color.b = blue;
-  marker.color.a = alpha;
-}
-
 }  // namespace
 
 visualization_msgs::MarkerArray truthMarkers(const std_msgs::Header& header,
@@ -44,16 +32,16 @@ visualization_msgs::MarkerArray truthMarkers(const std_msgs::Header& header,
   visualization_msgs::MarkerArray array;
   Marker disc = marker(header, "truth", 0, Marker::CYLINDER, T_map_base);
   shape(disc, 2.0 * kRobotRadius, 2.0 * kRobotRadius, 0.05, 0.025);
-  paint(disc, 0.1F, 0.7F, 0.2F, 0.6F);
+  disc.color = colour(0.1F, 0.7F, 0.2F, 0.6F);
   Marker arrow = marker(header, "truth", 1, Marker::ARROW, T_map_base);
   shape(arrow, 0.5, 0.06, 0.06, 0.35);
-  paint(arrow, 0.1F, 0.7F, 0.2F, 1.0F);
+  arrow.color = colour(0.1F, 0.7F, 0.2F, 1.0F);
   array.markers = {disc, arrow};
   for (const auto& person : people) {
     const int id = static_cast<int>(array.markers.size());
     Marker column = marker(header, "people", id, Marker::CYLINDER, {person.x(), person.y(), 0.0});
     shape(column, 2.0 * People::kRadius, 2.0 * People::kRadius, 1.7, 0.85);
-    paint(column, 0.9F, 0.5F, 0.1F, 0.7F);
+    column.color = colour(0.9F, 0.5F, 0.1F, 0.7F);
     array.markers.push_back(column);
   }
   return array;
