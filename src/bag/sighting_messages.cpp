@@ -102,4 +102,26 @@ std::vector<Sighting> toSightings(const sensor_msgs::PointCloud& message,
   return sightings;
 }
 
+sensor_msgs::PointCloud noSightings() {
+  const char* const names[] = {"id", "range_std", "bearing_std"};
+  sensor_msgs::PointCloud message;
+  for (const char* name : names) {
+    message.channels.emplace_back();
+    message.channels.back().name = name;
+  }
+  return message;
+}
+
+void addSighting(sensor_msgs::PointCloud& message, const Eigen::Vector3d& place, int id,
+                 double range_deviation, double bearing_deviation) {
+  geometry_msgs::Point32 point;
+  point.x = static_cast<float>(place.x());
+  point.y = static_cast<float>(place.y());
+  point.z = static_cast<float>(place.z());
+  message.points.push_back(point);
+  message.channels[0].values.push_back(static_cast<float>(id));
+  message.channels[1].values.push_back(static_cast<float>(range_deviation));
+  message.channels[2].values.push_back(static_cast<float>(bearing_deviation));
+}
+
 }  // namespace adaptive_localization

@@ -22,4 +22,12 @@ std::vector<Sighting> toSightings(const sensor_msgs::PointCloud& message,
                                   const Eigen::Isometry3d& T_base_sensor,
                                   const std::function<void(const std::string& why)>& refuse);
 
+/// Such a message with its channels and no points yet.
+sensor_msgs::PointCloud noSightings();
+
+/// One more landmark in it: where it is in the sensor's frame, m, and the standard deviations of
+/// its range, m, and bearing, rad.
+void addSighting(sensor_msgs::PointCloud& message, const Eigen::Vector3d& place, int id,
+                 double range_deviation, double bearing_deviation);
+
 }  // namespace adaptive_localization

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "../bag/names.hpp"
+#include "../bag/sighting_messages.hpp"
 #include "adaptive_localization/core/suggestion.hpp"
 #include "callbacks.hpp"
 #include "image_messages.hpp"
@@ -16,21 +17,11 @@ namespace {
 
 sensor_msgs::PointCloud toMessage(const std_msgs::Header& header,
                                   const std::vector<Fiducial>& fiducials) {
-  sensor_msgs::PointCloud message;
+  sensor_msgs::PointCloud message = noSightings();
   message.header = header;
-  message.channels.resize(3);
-  message.channels[0].name = "id";
-  message.channels[1].name = "range_std";
-  message.channels[2].name = "bearing_std";
   for (const Fiducial& fiducial : fiducials) {
-    geometry_msgs::Point32 point;
-    point.x = static_cast<float>(fiducial.centre.x());
-    point.y = static_cast<float>(fiducial.centre.y());
-    point.z = static_cast<float>(fiducial.centre.z());
-    message.points.push_back(point);
-    message.channels[0].values.push_back(static_cast<float>(fiducial.id));
-    message.channels[1].values.push_back(static_cast<float>(fiducial.range_deviation));
-    message.channels[2].values.push_back(static_cast<float>(fiducial.bearing_deviation));
+    addSighting(message, fiducial.centre, fiducial.id, fiducial.range_deviation,
+                fiducial.bearing_deviation);
   }
   return message;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "../bag/sighting_messages.hpp"
 #include "conversions.hpp"
 
 namespace adaptive_localization {
@@ -30,18 +31,11 @@ sensor_msgs::Imu toMessage(const ImuReading& reading) {
 }
 
 sensor_msgs::PointCloud toMessage(const Picture& picture) {
-  sensor_msgs::PointCloud message;
-  message.channels.resize(3);
-  const char* const names[] = {"id", "range_std", "bearing_std"};
-  for (std::size_t k = 0; k < 3; ++k) message.channels[k].name = names[k];
+  sensor_msgs::PointCloud message = noSightings();
   for (const Sighting& sighting : picture.sightings) {
-    geometry_msgs::Point32 point;
-    point.x = static_cast<float>(sighting.range * std::cos(sighting.bearing));
-    point.y = static_cast<float>(sighting.range * std::sin(sighting.bearing));
-    message.points.push_back(point);
-    message.channels[0].values.push_back(static_cast<float>(sighting.id));
-    message.channels[1].values.push_back(static_cast<float>(sighting.range_deviation));
-    message.channels[2].values.push_back(static_cast<float>(sighting.bearing_deviation));
+    const Eigen::Vector3d place(sighting.range * std::cos(sighting.bearing),
+                                sighting.range * std::sin(sighting.bearing), 0.0);
+    addSighting(message, place, sighting.id, sighting.range_deviation, sighting.bearing_deviation);
   }
   return message;
 }
