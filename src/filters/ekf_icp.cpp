@@ -88,9 +88,13 @@ void EkfIcp::move(const Pose2& motion) {
   if (parts_.sonars) parts_.sonars->move(motion, noise);
 }
 
+/// Each echo has corrected the pose by itself before, so that a wall which disagrees with those is
+/// refused, and one that agrees is not counted in full.
 void EkfIcp::correctBySonars(const Observations& observations) {
+  constexpr double kHeardBefore = 2.0;  // times an echo counts
   for (const LineMatch& match : parts_.sonars->listen(observations.sonar, tracker_.belief())) {
-    const PoseObservation seen{match.innovationAt(tracker_.mean()), match.H, match.R};
+    const PoseObservation seen{match.innovationAt(tracker_.mean()), match.H,
+                               kHeardBefore * match.R};
     if (!tracker_.isOutlier(seen)) tracker_.correct(seen);
   }
 }

@@ -48,7 +48,7 @@ struct EkfParts {
   std::unique_ptr<PoseSampler> elsewhere;
   std::unique_ptr<ObservationModel> senses{std::make_unique<ComposedModel>()};
   std::unique_ptr<ObservationModel> scans{};  // null: a map on which matches correct
-  std::optional<SonarLineMatcher> sonars{};   // none: one of the senses
+  std::optional<SonarLineMatcher> sonars{};   // none: single readings alone
 };
 
 /// An extended Kalman filter that is corrected by matching scans with the map:

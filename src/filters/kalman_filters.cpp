@@ -34,12 +34,12 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   PlaceSamplerOptions places;
   places.place_ser_share = 0.0;  // the best places alone
   const auto surfaces = surfacesFor(options.ekf_landmarks, given, ground.map->lattice());
-  EkfParts parts{
-      makeMotionModel(context.models.motions, given),
-      surfaces ? matchBy(LineMatcher(lines, *surfaces))
-               : matchBy(makeScanMatcher(matching, *ground.map, ground.field->quality())),
-      std::make_unique<PlaceSampler>(places, placesFor(ground, given), ground.map),
-      makeSenses(context.models.senses, given, ground.map, ground.field, surfaces ? "sonar" : "")};
+  EkfParts parts{makeMotionModel(context.models.motions, given),
+                 surfaces
+                     ? matchBy(LineMatcher(lines, *surfaces))
+                     : matchBy(makeScanMatcher(matching, *ground.map, ground.field->quality())),
+                 std::make_unique<PlaceSampler>(places, placesFor(ground, given), ground.map),
+                 makeSenses(context.models.senses, given, ground.map, ground.field)};
   if (surfaces) parts.sonars.emplace(lines, *surfaces);
   auto scans = makeObservationModel(context.models.observations, given, ground.map, ground.field);
   const bool hits_slide = ground.field->quality().hasThickWalls() && matching.line_map.empty();

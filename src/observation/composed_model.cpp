@@ -60,11 +60,10 @@ std::vector<Pose2> ComposedModel::explanations(const Observations& observations,
 std::unique_ptr<ComposedModel> makeSenses(const Registry<ObservationDescription>& senses,
                                           const Parameters& given,
                                           const std::shared_ptr<const OccupancyGrid>& map,
-                                          const std::shared_ptr<const DistanceField>& field,
-                                          const std::string& but_for) {
+                                          const std::shared_ptr<const DistanceField>& field) {
   auto all = std::make_unique<ComposedModel>();
   for (const auto& name : senses.names()) {
-    if (name != but_for) all->add(senses.make(name, given, map, field));
+    all->add(senses.make(name, given, map, field));
   }
   return all;
 }

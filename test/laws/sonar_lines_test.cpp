@@ -104,7 +104,7 @@ TEST(SonarLinesOfEkfIcp, KeepItWhereTheRobotIs) {
     EXPECT_LT(driver.deviation(), 0.2);
   }
   RecordProperty("worst error", std::to_string(worst));
-  EXPECT_LT(worst, 0.08);
+  EXPECT_LT(worst, 0.03);
 }
 
 TEST(SonarLinesOfEkfIcp, TellWhatOdometryDoesNot) {

@@ -46,12 +46,11 @@ inline Senses noSenses() {
   return std::make_shared<ComposedModel>();
 }
 
-/// The models of all senses beside the laser, which all cores listen to, but for one that a core
-/// hears in its own way. A sense that observed nothing says nothing.
+/// The models of all senses beside the laser, which all cores listen to. A sense that observed
+/// nothing says nothing.
 std::unique_ptr<ComposedModel> makeSenses(const Registry<ObservationDescription>& senses,
                                           const Parameters& given,
                                           const std::shared_ptr<const OccupancyGrid>& map,
-                                          const std::shared_ptr<const DistanceField>& field,
-                                          const std::string& but_for = {});
+                                          const std::shared_ptr<const DistanceField>& field);
 
 }  // namespace adaptive_localization
