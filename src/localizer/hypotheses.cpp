@@ -32,6 +32,12 @@ auto at(All& all, const Pose2& T_map_base) {
   });
 }
 
+/// From one of these an alignment can end where it does not from the other.
+bool isElsewhere(const Pose2& a, const Pose2& b) {
+  constexpr double kNear = 0.1, kSame = 0.05;  // m, rad
+  return distance(a, b) > kNear || std::abs(wrapAngle(a.theta - b.theta)) > kSame;
+}
+
 /// The same, or else one that a core can have drifted off from.
 template <class All>
 auto about(All& all, const Pose2& T_map_core) {
@@ -60,7 +66,7 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matr
 }
 
 void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
-                          const Eigen::Matrix3d& covariance) {
+                          const Eigen::Matrix3d& covariance, bool are_aligned) {
   left_out_.reset();
   for (const Place& place : places) {
     const auto known = at(all_, place.T_map_base);
@@ -68,7 +74,8 @@ void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
       left_out_ = log_odds;
     } else if (known == all_.end()) {
       add(place.T_map_base, log_odds, covariance);
-    } else if (!known->T_map_found) {
+      if (are_aligned && !all_.empty()) all_.back().aligned = place;
+    } else if (!known->T_map_found && isElsewhere(known->T_map_base, place.T_map_base)) {
       known->T_map_found = place.T_map_base;
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <utility>
 
 #include "adaptive_localization/localizer/hypotheses.hpp"
 #include "adaptive_localization/localizer/usual_error.hpp"
@@ -40,7 +41,8 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
-    Place place = alignedWith(refiner, hypothesis.T_map_ridden);
+    Place place = hypothesis.aligned ? *std::exchange(hypothesis.aligned, {})
+                                     : alignedWith(refiner, hypothesis.T_map_ridden);
     if (hypothesis.T_map_found) {
       const Place found = alignedWith(refiner, *hypothesis.T_map_found);
       if (withTolerance(found.error) < place.error) place = found;
@@ -92,7 +94,9 @@ void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction
   for (Hypothesis& hypothesis : all_) {
     if (!hypothesis.is_due) hypothesis.T_map_base = hypothesis.T_map_ridden * correction;
     if (!hypothesis.is_due || loss(hypothesis.error, usual) == 0.0) continue;
-    const Place place = alignedWith(refiner, hypothesis.T_map_ridden * correction);
+    const Pose2 corrected = hypothesis.T_map_ridden * correction;
+    if (refiner.error(corrected) >= hypothesis.error) continue;
+    const Place place = alignedWith(refiner, corrected);
     if (loss(place.error, usual) > 0.0) continue;
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;

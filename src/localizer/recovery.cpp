@@ -37,7 +37,7 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
 void Recovery::reset(const Prior& prior) {
   const bool is_told = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
-  was_tracking_ = false;
+  was_tracking_ = is_unchecked_ = false;
   from_anywhere_ ? proof_.demand() : proof_.waive();
   left_.reset();
   told_ = ToldPose(is_told);
@@ -81,6 +81,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   way_ += wayOf(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
+  if (in_doubt_) in_doubt_ = *in_doubt_ * motion;
   if (is_settled_ && odds_.isKept()) left_.reset();
   pace_.travel(wayOf(motion));
   told_.travel(wayOf(motion));
@@ -105,11 +106,11 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     }
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
-    if (status_ == Status::kTracking) odds_.earn(motion);
+    if (status_ == Status::kTracking && !in_doubt_) odds_.earn(motion);
     if (status_ == Status::kLost) odds_.loseWay(motion);
   }
   if (is_settled_ && isRaceDue(T_map_base_expected, T_map_base, error, observations)) {
-    open(T_map_base_expected);
+    in_doubt_ ? openDoubted() : open(T_map_base_expected);
   } else if (is_settled_) {
     pace_.skipScan();
   }
@@ -141,7 +142,7 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
                          const Observations& observations) {
   if (told_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  in_doubt_ = in_doubt_ || told_.isCheckDue() || isDoubtful(error, is_seen);
+  if (!in_doubt_ && (told_.isCheckDue() || isDoubtful(error, is_seen))) in_doubt_ = expected;
   if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
 }
@@ -157,17 +158,34 @@ bool Recovery::isDoubtful(double error, bool is_seen) const {
   return (unexplained_ > (is_seen ? 0 : kSpurious) || isAtALoss()) && pace_.isOver(error);
 }
 
-void Recovery::open(const Pose2& T_map_base) {
+/// By a scan that was taken a motion `back` from here.
+void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
   settle();
   is_settled_ = false;
   pace_.begin();
-  hypotheses_.addKept(T_map_base, odds_);
-  if (left_) hypotheses_.add(*left_, 0.0);
+  hypotheses_.addKept(T_map_base * back, odds_);
+  if (left_) hypotheses_.add(*left_ * back, 0.0);
+}
+
+/// The scan that raised a doubt speaks against the doubted place, others since then may not: where
+/// it took more than one update to search for others, that scan is weighed first.
+void Recovery::openDoubted() {
+  const Pose2 T_map_base = *in_doubt_;
+  const std::optional<Places::Asked>& asked = ground_.places->askedBefore();
+  if (!asked) return open(T_map_base);
+  open(T_map_base, inverse(asked->motion));
+  hypotheses_.addAligned(asked->places, 0.0);
+  hypotheses_.weigh(withoutCover(asked->observations), 1.0, usual_.value());
+  hypotheses_.prune();
+  pace_.explain(hypotheses_.leastError());
+  hypotheses_.ride(asked->motion);
+  way_ = wayOf(asked->motion);
 }
 
 void Recovery::settle() {
   is_settled_ = true;
-  searched_ = explained_ = has_left_ = in_doubt_ = false;
+  searched_ = explained_ = has_left_ = false;
+  in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
   way_ = kNewWay;  // the first scan counts in full
@@ -207,6 +225,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
     proof_.demand();
   }
   settle();
+  is_unchecked_ = told_.isCheckDue();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
@@ -216,9 +235,15 @@ void Recovery::search(const Observations& observations) {
   if (!canSearch(observations) || !answer) return;
   const std::vector<Place>& places = *answer;
   told_.checked();
+  is_unchecked_ = false;
   const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
-  const bool is_seen = observations.scan.hits() > 0;
-  is_seen ? hypotheses_.addFound(places, odds) : hypotheses_.addFound(places, odds, roughly());
+  if (observations.scan.hits() == 0) {
+    hypotheses_.addFound(places, odds, roughly());
+  } else if (ground_.places->askedBefore()) {
+    hypotheses_.addFound(places, odds);
+  } else {
+    hypotheses_.addAligned(places, odds);
+  }
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
   searched_ = searched_ || !hypotheses_.isEmpty();
@@ -231,8 +256,8 @@ void Recovery::conclude() {
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others; nor is a place that hardly explains the scans, however usual
-/// such scans are: so badly they fit many another. A place that scans alone told is one of several
-/// until it is proven.
+/// such scans are: so badly they fit many another; nor one of a lost robot while others are being
+/// searched for. A place that scans alone told is one of several until it is proven.
 Status Recovery::judge() const {
   if (told_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
@@ -242,13 +267,14 @@ Status Recovery::judge() const {
     return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
   }
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
+  if (was_lost && in_doubt_) return nowhere;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
   if (!confidence_.isCompact()) return nowhere;
   if (confidence_.isAmbiguous()) return Status::kAmbiguous;
   if (!fits) return nowhere;
-  return proof_.isGiven() ? Status::kTracking : Status::kAmbiguous;
+  return proof_.isGiven() && !is_unchecked_ ? Status::kTracking : Status::kAmbiguous;
 }
 
 }  // namespace adaptive_localization

@@ -7,7 +7,7 @@
 namespace adaptive_localization {
 
 bool areSamePlace(const Pose2& a, const Pose2& b) {
-  return distance(a, b) < 0.5 && std::abs(wrapAngle(a.theta - b.theta)) < kPi / 9.0;
+  return distance(a, b) < kSamePlace && std::abs(wrapAngle(a.theta - b.theta)) < kPi / 9.0;
 }
 
 std::vector<Place> distinctPlaces(const std::vector<Place>& places) {

@@ -11,13 +11,25 @@ namespace adaptive_localization {
 namespace {
 
 // Work as that of looking at so many poses.
-constexpr SearchWork kRefinedPlace = 500;
-constexpr SearchWork kComparisons = 4;  // with places that are distinct, like looking at one pose
+constexpr SearchWork kRefinedPlace = 8000;
+constexpr SearchWork kJudgedPlace = 1000;
+constexpr SearchWork kComparedPose = 8;  // with the places near it
+
+constexpr std::size_t kJudgedAfter = 100, kRefinedAfter = 8;  // places
+
+bool fitsBetter(const Place& a, const Place& b) {
+  return a.error < b.error;
+}
+
+std::vector<Place> bestFirst(std::vector<Place> places) {
+  std::stable_sort(places.begin(), places.end(), fitsBetter);
+  return distinctPlaces(places);
+}
 
 }  // namespace
 
 PlaceSearch::PlaceSearch(std::shared_ptr<const GlobalSearch> search, const Scan& scan)
-    : search_(std::move(search)) {
+    : search_(std::move(search)), scan_(scan), refiner_(search_->refinerFor(scan_)) {
   const DirectionalScan beams = toDirections(scan, search_->geometry());
   if (scan.hits() > 0 && beams.valid > 0) pose_search_ = search_->begin(beams);
 }
@@ -25,7 +37,7 @@ PlaceSearch::PlaceSearch(std::shared_ptr<const GlobalSearch> search, const Scan&
 PlaceSearch::~PlaceSearch() = default;
 
 bool PlaceSearch::advance(SearchWork& left) {
-  return findPoses(left) && partPoses(left);
+  return findPoses(left) && partPoses(left) && refinePlaces(left);
 }
 
 bool PlaceSearch::findPoses(SearchWork& left) {
@@ -50,33 +62,53 @@ bool PlaceSearch::partPoses(SearchWork& left) {
   for (; next_pose_ < poses_.size() && distinct_.size() < most; ++next_pose_) {
     if (left <= 0) return false;
     const Pose2 T_map_base = poseOf(poses_[next_pose_]);
-    const auto same = std::find_if(distinct_.begin(), distinct_.end(), [&](const Pose2& other) {
-      return areSamePlace(T_map_base, other);
-    });
-    left -= 1 + (same - distinct_.begin()) / kComparisons;
-    if (same == distinct_.end()) distinct_.push_back(T_map_base);
+    if (!near_.hasSame(T_map_base)) {
+      near_.add(T_map_base);
+      distinct_.push_back(T_map_base);
+    }
+    left -= kComparedPose;
   }
   return true;
 }
 
-SearchWork PlaceSearch::lastWork() const {
-  return kRefinedPlace * static_cast<SearchWork>(distinct_.size());
+/// Below the lattice's spacing.
+bool PlaceSearch::refinePlaces(SearchWork& left) {
+  while (places_.size() < distinct_.size()) {
+    if (left <= 0) return false;
+    places_.push_back(refiner_->refine(distinct_[places_.size()]));
+    left -= kRefinedPlace;
+  }
+  places_ = bestFirst(std::move(places_));
+  distinct_.resize(places_.size());
+  return true;
 }
 
-std::vector<Place> PlaceSearch::places(const Pose2& motion, const Scan& scan) const {
+SearchWork PlaceSearch::workAfter() const {
+  const auto judged = static_cast<SearchWork>(std::min(kJudgedAfter, places_.size()));
+  const auto refined = static_cast<SearchWork>(std::min(kRefinedAfter, places_.size()));
+  return kJudgedPlace * judged + kRefinedPlace * refined;
+}
+
+std::vector<Place> PlaceSearch::placesAfter(const Pose2& motion, const Scan& scan) const {
   const auto refiner = search_->refinerFor(scan);
   std::vector<Place> places;
-  for (const Pose2& pose : distinct_) places.push_back(refiner->refine(pose * motion));
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.error < b.error; });
-  return distinctPlaces(places);
+  for (const Place& place : places_) {
+    const Pose2 T_map_base = place.T_map_base * motion;
+    const bool is_judged = places.size() < kJudgedAfter;
+    places.push_back({T_map_base, is_judged ? refiner->error(T_map_base) : place.error});
+  }
+  std::stable_sort(places.begin(), places.end(), fitsBetter);
+  for (std::size_t i = 0; i < std::min(kRefinedAfter, places.size()); ++i) {
+    places[i] = refiner->refine(places[i].T_map_base);
+  }
+  return bestFirst(std::move(places));
 }
 
 std::vector<Place> findPlaces(std::shared_ptr<const GlobalSearch> search, const Scan& scan) {
   PlaceSearch parts(std::move(search), scan);
   SearchWork unlimited = kUnlimitedWork;
   parts.advance(unlimited);
-  return parts.places({}, scan);
+  return parts.places();
 }
 
 }  // namespace adaptive_localization

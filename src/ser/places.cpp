@@ -132,7 +132,7 @@ bool Places::isReadyFor(const Scan& scan) {
 }
 
 void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
-  constexpr double kStale = 3.0;  // m or rad, after which odometry tells too little
+  constexpr double kStale = 8.0;  // m or rad, after which odometry tells too little
   const Pose2 motion = between(T_odom_base_, T_odom_base);
   T_odom_base_ = T_odom_base;
   way_ += std::hypot(motion.x, motion.y) + std::abs(motion.theta);
@@ -148,18 +148,25 @@ void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
 std::optional<std::vector<Place>> Places::search(const Observations& observations) {
   if (searched_ && isSame(*searched_, observations)) return found_;
   searched_.reset();
+  asked_before_.reset();
   found_.clear();
   if (!question_) {
     const Entry* entry = entryFor(observations.scan);
     if (!entry) return found_;
-    question_ =
-        Question{T_odom_base_, std::make_shared<PlaceSearch>(entry->search, observations.scan)};
+    question_ = Question{observations, T_odom_base_,
+                         std::make_shared<PlaceSearch>(entry->search, observations.scan)};
     way_ = 0.0;
   }
   if (!question_->search->advance(work_left_)) return std::nullopt;
-  found_ =
-      question_->search->places(between(question_->T_odom_base, T_odom_base_), observations.scan);
-  work_left_ -= question_->search->lastWork();
+  const PlaceSearch& search = *question_->search;
+  if (isSame(question_->observations, observations)) {
+    found_ = search.places();
+  } else {
+    const Pose2 motion = between(question_->T_odom_base, T_odom_base_);
+    found_ = search.placesAfter(motion, observations.scan);
+    work_left_ -= search.workAfter();
+    asked_before_ = Asked{std::move(question_->observations), search.places(), motion};
+  }
   question_.reset();
   searched_ = observations;
   return found_;

@@ -11,23 +11,11 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kHeadingsPerGroup = 3;
-constexpr std::size_t kBlocksAtOnce = 512;
-constexpr SearchWork kBoundsPerPose = 4;  // which lie one after the other in memory
+constexpr std::size_t kBlocksAtOnce = 256;
+constexpr SearchWork kBoundsPerPose = 2;  // which lie one after the other in memory
+constexpr SearchWork kSortedPerPose = 8;
 
 const RangeKernel kSumOfDistances = fastestSumOfDistances();
-
-/// Indices of values, ascending by value; a counting sort.
-std::vector<std::uint32_t> ascending(const std::vector<std::uint16_t>& values) {
-  const std::uint16_t most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-  std::vector<std::uint32_t> starts(most + 2U, 0);
-  for (const std::uint16_t value : values) ++starts[value + 1U];
-  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-  std::vector<std::uint32_t> order(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    order[starts[values[i]]++] = static_cast<std::uint32_t>(i);
-  }
-  return order;
-}
 
 }  // namespace
 
@@ -37,56 +25,92 @@ PoseSearch::PoseSearch(std::shared_ptr<const RangeTable> table, const Directiona
       groups_(scan, kHeadingsPerGroup),
       targets_(scan, 1),
       limits_(limits),
-      best_(limits.margin, limits.greatest) {}
+      best_(limits.margin, limits.greatest),
+      starts_(static_cast<std::size_t>(limits.greatest) + 2, 0) {}
 
 bool PoseSearch::advance(SearchWork& left) {
-  return bound(left) && visit(left);
+  return bound(left) && sort(left) && visit(left);
 }
 
 bool PoseSearch::bound(SearchWork& left) {
   const RangeBlocks& blocks = table_->blocks();
   const auto per_block = static_cast<std::size_t>(groups_.size());
-  bounds_.resize(blocks.size() * per_block);
+  std::vector<std::uint16_t> bounds(bounded_ < blocks.size() ? kBlocksAtOnce * per_block : 0);
   while (bounded_ < blocks.size() && left > 0) {
     const std::size_t count = std::min(kBlocksAtOnce, blocks.size() - bounded_);
+    bounds.resize(count * per_block);
     parallelFor(count, 128, [&](const Chunk& chunk) {
-      for (std::size_t b = bounded_ + chunk.begin; b < bounded_ + chunk.end; ++b) {
+      for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+        const std::size_t block = bounded_ + k;
         for (int g = 0; g < groups_.size(); ++g) {
-          bounds_[b * per_block + static_cast<std::size_t>(g)] = static_cast<std::uint16_t>(
-              kSumOfDistances(blocks.low(b), blocks.high(b), groups_.low(g), groups_.high(g),
-                              limits_.truncation));
+          bounds[k * per_block + static_cast<std::size_t>(g)] = static_cast<std::uint16_t>(
+              kSumOfDistances(blocks.low(block), blocks.high(block), groups_.low(g),
+                              groups_.high(g), limits_.truncation, limits_.greatest));
         }
       }
     });
+    keep(bounded_, bounds);
     bounded_ += count;
-    left -= static_cast<SearchWork>(count * per_block) / kBoundsPerPose;
+    left -= static_cast<SearchWork>(bounds.size()) / kBoundsPerPose;
   }
   return bounded_ == blocks.size();
 }
 
-bool PoseSearch::visit(SearchWork& left) {
-  if (order_.empty()) order_ = ascending(bounds_);
-  const RangeBlocks& blocks = table_->blocks();
-  const auto per_block = static_cast<std::size_t>(groups_.size());
-  for (; next_ < order_.size(); ++next_) {
-    const std::uint32_t node = order_[next_];
-    if (bounds_[node] > best_.limit() || visited_ >= limits_.most_visits) return true;
+void PoseSearch::keep(std::size_t first_block, const std::vector<std::uint16_t>& bounds) {
+  const std::size_t first = first_block * static_cast<std::size_t>(groups_.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (bounds[i] > limits_.greatest) continue;
+    nodes_.push_back({static_cast<std::uint32_t>(first + i), bounds[i]});
+    ++starts_[bounds[i] + 1U];
+  }
+}
+
+/// A counting sort: the number of nodes with each bound is known.
+bool PoseSearch::sort(SearchWork& left) {
+  if (sorted_.size() != nodes_.size()) {
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+    sorted_.resize(nodes_.size());
+  }
+  for (; placed_ < nodes_.size(); ++placed_) {
     if (left <= 0) return false;
-    const std::size_t block = node / per_block;
-    const int first = static_cast<int>(node % per_block) * kHeadingsPerGroup;
+    const Node& node = nodes_[placed_];
+    sorted_[starts_[node.bound]++] = node;
+    if (placed_ % kSortedPerPose == 0) --left;
+  }
+  return true;
+}
+
+bool PoseSearch::visit(SearchWork& left) {
+  for (; next_ < sorted_.size(); ++next_) {
+    const Node& node = sorted_[next_];
+    if (node.bound > best_.limit() || visited_ >= limits_.most_visits) return true;
+    if (left <= 0) return false;
     const std::size_t before = visited_;
-    for (const std::uint32_t* cell = blocks.begin(block); cell != blocks.end(block); ++cell) {
-      const std::uint8_t* ranges = table_->ranges(*cell);
-      for (int d = first; d < first + kHeadingsPerGroup; ++d) {
-        best_.add({*cell, d,
-                   kSumOfDistances(ranges, ranges, targets_.low(d), targets_.high(d),
-                                   limits_.truncation)});
-      }
-      visited_ += kHeadingsPerGroup;
-    }
+    visit(node);
     left -= static_cast<SearchWork>(visited_ - before);
   }
   return true;
+}
+
+/// Each heading alone has a bound that is closer than the group's.
+void PoseSearch::visit(const Node& node) {
+  const RangeBlocks& blocks = table_->blocks();
+  const auto groups = static_cast<std::uint32_t>(groups_.size());
+  const std::size_t block = node.index / groups;
+  const int first = static_cast<int>(node.index % groups) * kHeadingsPerGroup;
+  for (int d = first; d < first + kHeadingsPerGroup; ++d) {
+    const auto sumAt = [&](const std::uint8_t* low, const std::uint8_t* high) {
+      return kSumOfDistances(low, high, targets_.low(d), targets_.high(d), limits_.truncation,
+                             best_.limit());
+    };
+    ++visited_;
+    if (sumAt(blocks.low(block), blocks.high(block)) > best_.limit()) continue;
+    for (const std::uint32_t* cell = blocks.begin(block); cell != blocks.end(block); ++cell) {
+      const std::uint8_t* ranges = table_->ranges(*cell);
+      best_.add({*cell, d, sumAt(ranges, ranges)});
+      ++visited_;
+    }
+  }
 }
 
 }  // namespace adaptive_localization

@@ -21,8 +21,8 @@ struct PoseSearchLimits {
   std::size_t most_visits{};  // poses looked at
 };
 
-/// A search of GlobalSearch in parts: first the bounds of all blocks, then the blocks in the order
-/// of their bounds.
+/// A search of GlobalSearch in parts: first the bounds of all blocks and groups of headings, which
+/// are then sorted, and looked into in the order of their bounds.
 class PoseSearch {
  public:
   PoseSearch(std::shared_ptr<const RangeTable> table, const DirectionalScan& scan,
@@ -37,16 +37,26 @@ class PoseSearch {
   std::size_t visited() const { return visited_; }
 
  private:
+  struct Node {
+    std::uint32_t index;  // block * groups + group
+    std::uint16_t bound;  // of the cost of its poses
+  };
+
   bool bound(SearchWork& left);
+  void keep(std::size_t first_block, const std::vector<std::uint16_t>& bounds);
+  bool sort(SearchWork& left);
   bool visit(SearchWork& left);
+  void visit(const Node& node);
 
   std::shared_ptr<const RangeTable> table_;
   ScanTargets groups_, targets_;
   PoseSearchLimits limits_;
   BestPoses best_;
   std::size_t bounded_{0};             // blocks whose bounds are known
-  std::vector<std::uint16_t> bounds_;  // [block * groups + group]
-  std::vector<std::uint32_t> order_;   // of the bounds, ascending
+  std::vector<Node> nodes_;            // those that can have a pose
+  std::vector<std::uint32_t> starts_;  // of the nodes with each bound, or less, once sorted
+  std::size_t placed_{0};              // nodes, among the
+  std::vector<Node> sorted_;           // by their bounds
   std::size_t next_{0};                // in that order
   std::size_t visited_{0};
 };

@@ -291,6 +291,17 @@ std::vector<Place> placesOfGrid(int count) {
   return places;
 }
 
+TEST(Hypotheses, WhatASearchAlignedIsTakenAsItIsOnce) {
+  const Pose2 found = kTruth * Pose2{0.03, 0.0, 0.0};
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addAligned({{found, 0.015}}, 0.0);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(found, 1e-12, 1e-12));
+  EXPECT_EQ(hypotheses.leastError(), 0.015);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.02, 0.01));
+}
+
 TEST(Hypotheses, LackPlacesThatHadNoRoomUnlessOneIsLikelierByFar) {
   Hypotheses found(asymmetricWorld()), kept(asymmetricWorld());
   found.addFound(placesOfGrid(100), 0.0);

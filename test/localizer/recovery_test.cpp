@@ -22,7 +22,9 @@ Ground groundOf(const std::shared_ptr<const OccupancyGrid>& map) {
 /// Recovery in a world, told of a core that believes what the test says.
 struct Watched {
   explicit Watched(std::shared_ptr<const OccupancyGrid> world)
-      : map(std::move(world)), recovery(ConfidenceOptions{}, groundOf(map)) {}
+      : map(std::move(world)), ground(groundOf(map)), recovery(ConfidenceOptions{}, ground) {}
+
+  Places& places() { return *ground.places; }
 
   void tell(const Pose2& pose) {
     recovery.reset(Gaussian2{pose, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
@@ -58,6 +60,7 @@ struct Watched {
   }
 
   std::shared_ptr<const OccupancyGrid> map;
+  Ground ground;
   Recovery recovery;
   ToyLaser laser{91, -kPi / 2, kPi / 2, 12.0};
   Pose2 believed;
@@ -374,6 +377,52 @@ TEST(Recovery, ARobotThatStandsStillLearnsNothingNew) {
   told = told * motion;
   watched.see(truth, told, motion);
   EXPECT_LT(watched.shareOf(told), share);
+}
+
+/// It was carried to a place that looks as another one did for a while: a search that is under way
+/// will tell.
+TEST(Recovery, ALostRobotIsNotTrackedBeforeTheSearchHasItsAnswer) {
+  Watched watched(asymmetricWorld());
+  const Pose2 here{2.0, 3.0, -0.5}, there{8.0, 1.0, 2.0};
+  const auto see = [&](const Pose2& truth, SearchWork work) {
+    watched.places().beginUpdate({}, work);
+    watched.see(truth, here);
+  };
+  watched.tell(here);
+  see(here, kUnlimitedWork);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  for (int i = 0; i < 5; ++i) see(there, 1);
+  ASSERT_EQ(watched.recovery.status(), Status::kLost);
+  ASSERT_TRUE(watched.recovery.modes().empty()) << "there is no answer yet";
+  for (int i = 0; i < 5; ++i) {
+    see(here, 1);
+    EXPECT_EQ(watched.recovery.status(), Status::kLost);
+  }
+  see(here, kUnlimitedWork);
+  EXPECT_NE(watched.recovery.status(), Status::kLost);
+  EXPECT_FALSE(watched.recovery.modes().empty());
+}
+
+/// The scan that raised the doubt is weighed, though the answer comes with another one.
+TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
+  Watched watched(asymmetricWorld());
+  const Pose2 here{2.0, 3.0, -0.5};
+  Pose2 there{8.0, 1.0, 2.0}, believed = here, odometry;
+  watched.tell(here);
+  watched.places().beginUpdate({}, kUnlimitedWork);
+  watched.see(here, here);
+  const Pose2 motion{0.05, 0.0, 0.1};
+  for (const SearchWork work : {SearchWork{1}, SearchWork{1}, kUnlimitedWork}) {
+    there = there * motion;
+    believed = believed * motion;
+    odometry = odometry * motion;
+    watched.places().beginUpdate(odometry, work);
+    watched.see(there, believed, motion);
+  }
+  ASSERT_TRUE(watched.places().askedBefore());
+  ASSERT_FALSE(watched.recovery.modes().empty());
+  EXPECT_THAT(watched.recovery.modes().front().T_map_base, PoseNear(there, 0.05, 0.03));
+  EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));
 }
 
 TEST(Recovery, APlaceThatIsFoundDoesNotInheritTheOddsOfTheOneThatWasLeft) {

@@ -166,7 +166,7 @@ TEST(GlobalSearch, IsTheSameForAnyNumberOfThreads) {
 TEST(GlobalSearch, LooksAtNoMorePosesThanItMay) {
   const auto map = maze();
   const auto grid = gridOf(map);
-  constexpr double kNode = 4.0 * 4.0 * 3.0;  // poses that are looked at together
+  constexpr double kNode = (1.0 + 4.0 * 4.0) * 3.0;  // poses and bounds that are looked at together
   Rng rng(7);
   for (int n = 0; n < 50; ++n) {
     GlobalSearchOptions options;

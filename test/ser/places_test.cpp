@@ -140,6 +140,7 @@ TEST(Places, AreSearchedForInParts) {
   }
   EXPECT_GT(updates, 3);
   ASSERT_TRUE(answer && at_once);
+  EXPECT_FALSE(in_parts.askedBefore()) << "by the same scan";
   ASSERT_EQ(answer->size(), at_once->size());
   for (std::size_t i = 0; i < answer->size(); ++i) {
     EXPECT_THAT((*answer)[i].T_map_base, PoseNear((*at_once)[i].T_map_base, 1e-12, 1e-12));
@@ -155,7 +156,14 @@ TEST(Places, RideOnTheOdometryWhileTheyAreSearchedFor) {
     EXPECT_FALSE(places.search({1.0, scanOf(181)}));
     places.beginUpdate(by_odometry, kUnlimitedWork);
     ToyLaser laser = kHalfCircle;
-    return places.search({2.0, toScan(laser.read(asymmetricWorld(), in_truth))}).value();
+    const auto found = places.search({2.0, toScan(laser.read(asymmetricWorld(), in_truth))});
+    EXPECT_TRUE(places.askedBefore());
+    if (places.askedBefore()) {
+      EXPECT_EQ(places.askedBefore()->observations.stamp, 1.0);
+      EXPECT_THAT(places.askedBefore()->motion, PoseNear(by_odometry, 1e-12, 1e-12));
+      EXPECT_THAT(places.askedBefore()->places.front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
+    }
+    return found.value();
   };
   const Pose2 motion{0.3, 0.0, 0.2};
   const auto driven = searchAlong(motion, kTruth * motion);
@@ -170,7 +178,7 @@ TEST(Places, ForgetAQuestionThatTheRobotLeftBehind) {
   Places places = placesOf(asymmetricWorld());
   places.beginUpdate({}, 1);
   EXPECT_FALSE(places.search({1.0, scanOf(181)}));
-  places.beginUpdate({4.0, 0.0, 0.0}, kUnlimitedWork);
+  places.beginUpdate({9.0, 0.0, 0.0}, kUnlimitedWork);
   const auto found = places.search({2.0, scanOf(181)});
   ASSERT_TRUE(found && !found->empty());
   EXPECT_THAT(found->front().T_map_base, PoseNear(kTruth, 0.05, 0.03)) << "asked anew, from here";

@@ -13,6 +13,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr int kAll = 255 * static_cast<int>(kRangeStride);
+
 using Row = std::array<std::uint8_t, kRangeStride>;
 
 Row randomRow(Rng& rng) {
@@ -37,9 +39,26 @@ TEST(RangeKernel, IsTheSameWithAndWithoutVectorInstructions) {
   for (int n = 0; n < 20000; ++n) {
     const Rows a(rng), b(rng);
     const int truncation = 1 + static_cast<int>(rng.below(255));
-    ASSERT_EQ(fastest(a.low.data(), a.high.data(), b.low.data(), b.high.data(), truncation),
+    const int most = static_cast<int>(rng.below(20000));
+    ASSERT_EQ(fastest(a.low.data(), a.high.data(), b.low.data(), b.high.data(), truncation, most),
               sumOfDistancesPortable(a.low.data(), a.high.data(), b.low.data(), b.high.data(),
-                                     truncation));
+                                     truncation, most));
+  }
+}
+
+TEST(RangeKernel, CutsOffOnlySumsThatAreGreater) {
+  const RangeKernel sum = fastestSumOfDistances();
+  Rng rng(2);
+  for (int n = 0; n < 20000; ++n) {
+    const Rows a(rng), b(rng);
+    const int whole = sum(a.low.data(), a.high.data(), b.low.data(), b.high.data(), 255, kAll);
+    const int most = static_cast<int>(rng.below(20000));
+    const int cut = sum(a.low.data(), a.high.data(), b.low.data(), b.high.data(), 255, most);
+    if (whole <= most) {
+      ASSERT_EQ(cut, whole);
+    } else {
+      ASSERT_GT(cut, most);
+    }
   }
 }
 
@@ -50,12 +69,12 @@ TEST(RangeKernel, SumsTruncatedDistancesOfIntervals) {
   b.fill(30);
   const auto sum = fastestSumOfDistances();
   const int bytes = static_cast<int>(kRangeStride);
-  EXPECT_EQ(sum(a.data(), a.data(), b.data(), b.data(), 255), 20 * bytes);
-  EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 255), 20 * bytes);
-  EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 7), 7 * bytes);
-  EXPECT_EQ(sum(zero.data(), zero.data(), most.data(), most.data(), 255), 255 * bytes);
-  EXPECT_EQ(sum(a.data(), b.data(), b.data(), b.data(), 255), 0);
-  EXPECT_EQ(sum(a.data(), a.data(), zero.data(), most.data(), 255), 0);
+  EXPECT_EQ(sum(a.data(), a.data(), b.data(), b.data(), 255, kAll), 20 * bytes);
+  EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 255, kAll), 20 * bytes);
+  EXPECT_EQ(sum(b.data(), b.data(), a.data(), a.data(), 7, kAll), 7 * bytes);
+  EXPECT_EQ(sum(zero.data(), zero.data(), most.data(), most.data(), 255, kAll), 255 * bytes);
+  EXPECT_EQ(sum(a.data(), b.data(), b.data(), b.data(), 255, kAll), 0);
+  EXPECT_EQ(sum(a.data(), a.data(), zero.data(), most.data(), 255, kAll), 0);
 }
 
 TEST(ScanTargets, HoldWhatEachDirectionShouldSee) {

@@ -70,7 +70,12 @@ class Hypotheses {
     addFound(places, log_odds, placeCovariance());
   }
   void addFound(const std::vector<Place>& places, double log_odds,
-                const Eigen::Matrix3d& covariance);
+                const Eigen::Matrix3d& covariance, bool are_aligned = false);
+
+  /// The same for what a search aligned with the next scan: not again.
+  void addAligned(const std::vector<Place>& places, double log_odds) {
+    addFound(places, log_odds, placeCovariance(), true);
+  }
 
   /// Whether the last search found places for which there was no room, and which those that are
   /// left do not rule out.
@@ -150,6 +155,7 @@ class Hypotheses {
     bool is_kept{false};
     bool was_believed{false};  // it was the only one before the others were looked for
     std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
+    std::optional<Place> aligned{};                    // with the next scan
     Pose2 T_map_ridden{};      // by odometry alone, before it was aligned with the last scan
     bool is_new{true};         // not judged yet: a scan counts in full
     bool is_due{true};         // to be judged by this scan

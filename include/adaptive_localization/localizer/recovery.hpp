@@ -94,7 +94,8 @@ class Recovery {
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
   static constexpr double kUnproven = 0.5;   // confidence, at the most
 
-  void open(const Pose2& T_map_base);
+  void open(const Pose2& T_map_base, const Pose2& back = {});
+  void openDoubted();
   void settle();
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   static Observations withoutCover(const Observations& observations);
@@ -128,9 +129,10 @@ class Recovery {
   std::vector<Mode> modes_;
   Status status_{Status::kUninitialised};
 
-  bool scan_fits_{false};  // the core's place, as well as is usual
-  bool is_settled_{true};  // there is one place, the core's,
-  bool in_doubt_{false};   // but others are being searched for
+  bool scan_fits_{false};            // the core's place, as well as is usual
+  bool is_settled_{true};            // there is one place, the core's,
+  std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
+  bool is_unchecked_{false};         // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
   ToldPose told_;

@@ -49,6 +49,9 @@ class SearchPace {
   /// this error, and more places than those that were found may look like it.
   bool wasBlind(double error) const { return error_ > kWell && error < kFarBetter * error_; }
 
+  /// A place that was known before fits the scan that was searched for, with this error, m.
+  void explain(double error) { error_ = std::min(error_, error); }
+
   /// Takes note of a search, and how badly the scan fits the best place that it found, m.
   void searched(bool has_come_to_something, double error) {
     pause_ = has_come_to_something ? 0 : std::min(kLongestPause, 2 * pause_ + 1);

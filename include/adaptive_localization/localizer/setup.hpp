@@ -21,7 +21,7 @@ struct LocalizerOptions {
   int threads{1};
   double update_min_d{0.1};
   double update_min_a{0.05};
-  double update_budget{0.0};
+  double update_budget{5.0};
   bool recovery{false};
   bool refine{false};
 

@@ -13,6 +13,8 @@ struct Place {
   double error{0.0};  // mean truncated range error per beam, m
 };
 
+constexpr double kSamePlace = 0.5;  // m
+
 /// Nearer than half a metre and 20 degrees.
 bool areSamePlace(const Pose2& a, const Pose2& b);
 

@@ -9,9 +9,11 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/ser/global_search.hpp"
 #include "adaptive_localization/ser/place.hpp"
+#include "adaptive_localization/ser/place_map.hpp"
 
 namespace adaptive_localization {
 
+class PlaceRefiner;
 class PoseSearch;
 
 /// A global search for one scan, done in parts: what it finds does not depend on how it is parted.
@@ -20,26 +22,34 @@ class PlaceSearch {
   PlaceSearch(std::shared_ptr<const GlobalSearch> search, const Scan& scan);
   ~PlaceSearch();
 
-  /// Goes on for as much work as is left; whether all is done but what places() does.
+  /// Goes on for as much work as is left; whether all is done.
   bool advance(SearchWork& left);
 
-  /// The distinct places, once the rest is done: refined below the lattice's spacing and judged by
-  /// the scan that is taken a motion after the one that was searched for, best first.
-  std::vector<Place> places(const Pose2& motion, const Scan& scan) const;
+  /// The distinct places, once all is done, best first.
+  const std::vector<Place>& places() const { return places_; }
 
-  /// The work that places() takes.
-  SearchWork lastWork() const;
+  /// The same for a robot that moved on since: on the odometry, the best hundred judged by the scan
+  /// that it takes now, and where that scan fits best nearby for those that it fits best already.
+  std::vector<Place> placesAfter(const Pose2& motion, const Scan& scan) const;
+
+  /// The work that placesAfter() takes.
+  SearchWork workAfter() const;
 
  private:
   bool findPoses(SearchWork& left);
   bool partPoses(SearchWork& left);
+  bool refinePlaces(SearchWork& left);
   Pose2 poseOf(const SearchPose& pose) const;
 
   std::shared_ptr<const GlobalSearch> search_;
-  std::unique_ptr<PoseSearch> pose_search_;  // until it is done; none for a scan without hits
+  const Scan scan_;
+  std::unique_ptr<const PlaceRefiner> refiner_;  // of that scan
+  std::unique_ptr<PoseSearch> pose_search_;      // until it is done; none for a scan without hits
   std::vector<SearchPose> poses_;
   std::size_t next_pose_{0};
   std::vector<Pose2> distinct_;
+  PlaceMap near_;  // of those
+  std::vector<Place> places_;
 };
 
 /// The places where a scan can have been taken, by a search that is done at once.

@@ -51,6 +51,16 @@ class Places {
   /// again is remembered.
   std::optional<std::vector<Place>> search(const Observations& observations);
 
+  /// What the last answer was searched for by, and the places by that scan alone.
+  struct Asked {
+    Observations observations;
+    std::vector<Place> places;
+    Pose2 motion;  // since then
+  };
+
+  /// Nothing if that is the scan which it was judged by.
+  const std::optional<Asked>& askedBefore() const { return asked_before_; }
+
   /// Whether search() tells as much of this scan as it will: false while the first grid is being
   /// made. A laser whose mount turns all the time may never find one that is made for it.
   bool isReadyFor(const Scan& scan);
@@ -81,6 +91,7 @@ class Places {
 
   /// A scan that is being searched for, and from where by the odometry.
   struct Question {
+    Observations observations;
     Pose2 T_odom_base;
     std::shared_ptr<PlaceSearch> search;
   };
@@ -109,6 +120,7 @@ class Places {
   std::optional<Question> question_;
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
+  std::optional<Asked> asked_before_;
   Background<Entry> building_;  // last, so that it ends before what it reads
 };
 
