@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "landmark_source.hpp"
 
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -57,6 +58,12 @@ void LandmarkSource::add(const sensor_msgs::PointCloud::ConstPtr& message) {
   }
   const auto held = tf_input_.hold();
   filter_.add(message);
+}
+
+void LandmarkSource::add(const BagMessage& message) {
+  if (!ear_.listensTo(message.topic)) return;
+  const auto sightings = message.as<sensor_msgs::PointCloud>();
+  if (sightings) add(boost::make_shared<const sensor_msgs::PointCloud>(*sightings));
 }
 
 /// Throws why the message cannot be placed.

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 
+#include "../bag/bag_stream.hpp"
 #include "../bag/sighting_ear.hpp"
 #include "complaints.hpp"
 #include "laser_mounts.hpp"
@@ -31,6 +32,9 @@ class LandmarkSource {
   LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
                  const Odometry& odometry, const NodeOptions& options, LandmarkMap known,
                  Callback callback);
+
+  /// The same from a bag, if it is of the landmark_topic.
+  void add(const BagMessage& message);
 
   /// Adds what was sighted last, as seen from where the robot is by now, and forgets it.
   void observe(const Pose2& T_odom_base, Observations& observations);

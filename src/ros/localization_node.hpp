@@ -47,6 +47,7 @@ class LocalizationNode {
   void hear(const BagMessage& message) {
     headings_.add(message);
     sonars_.add(message);
+    landmarks_.add(message);
   }
   void localizeAnywhere() { start(Anywhere{}); }
   const std::optional<Localization>& answer() const { return answer_; }

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """amcl's bag mode: topics with and without a leading slash, the mount in /tf_static; a start
-that is not known; wrong arguments."""
+that is not known; landmarks alone; wrong arguments."""
+import math
 import os
 import random
 import re
@@ -16,12 +17,29 @@ import rosbag
 import rospy
 import rostest
 from localization_case import AT_LAST
+from geometry_msgs.msg import Point32
 from nav_msgs.msg import OccupancyGrid
+from sensor_msgs.msg import ChannelFloat32, PointCloud
 from tf2_msgs.msg import TFMessage
 from toy_robot import ToyRobotCase, compose, room, transform
 
 PROGRAM = roslib.packages.find_node("adaptive_localization", "adaptive_localization")[0]
 START = (1.5, 1.0, 0.3)
+POSTS = [(0.5, 0.5), (3.5, 0.5), (3.5, 2.5), (0.5, 2.5)]
+
+
+def sightings(pose, stamp):
+    """All posts, from base, by who knows them."""
+    message = PointCloud()
+    message.header.frame_id, message.header.stamp = "base_link", stamp
+    for x, y in POSTS:
+        dx, dy = x - pose[0], y - pose[1]
+        c, s = math.cos(pose[2]), math.sin(pose[2])
+        message.points.append(Point32(c * dx + s * dy, c * dy - s * dx, 0.0))
+    for name, values in [("id", range(len(POSTS))), ("range_std", [0.03] * len(POSTS)),
+                         ("bearing_std", [0.02] * len(POSTS))]:
+        message.channels.append(ChannelFloat32(name, [float(value) for value in values]))
+    return message
 
 
 class RunFromBag(unittest.TestCase):
@@ -45,6 +63,7 @@ class RunFromBag(unittest.TestCase):
                 moving = transform("odom", "base_link", odometry, robot.time)
                 bag.write(prefix + "tf", TFMessage([moving]), robot.time)
                 bag.write(prefix + scan_topic, ToyRobotCase.scan_message(robot), robot.time)
+                bag.write(prefix + "posts", sightings(robot.pose, robot.time), robot.time)
                 last = robot.pose
                 robot.time += rospy.Duration(0.1)
                 robot.pose = compose(robot.pose, motion)
@@ -76,6 +95,30 @@ class RunFromBag(unittest.TestCase):
 
     def test_bag_from_anywhere(self):
         self.check_final_location("/", "scan", "--global-localization", initial=(7.0, 2.0, 3.0))
+
+    def test_bag_with_landmarks_alone(self):
+        maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
+        maps.publish(room())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "drive.bag")
+            truth = self.write_bag(path, "/", "unheard")
+            posts = os.path.join(folder, "posts.yaml")
+            with open(posts, "w") as known:
+                known.write("landmarks:\n")
+                for i, (x, y) in enumerate(POSTS):
+                    known.write("  - {id: %d, at: [%g, %g]}\n" % (i, x, y))
+            beside = (START[0] + 0.3, START[1] - 0.2, START[2] + 0.1)
+            for name in ["scan_topics", "landmark_topic", "landmark_map"]:  # stay with the master
+                self.addCleanup(rospy.delete_param, "/adaptive_localization/" + name)
+            code, output = self.run_node(
+                "--run-from-bag", path, "_use_map_topic:=true", "_save_pose_rate:=-1",
+                "_scan_topics:=", "_landmark_topic:=posts", "_landmark_map:=" + posts,
+                *("_initial_pose_%s:=%s" % p for p in zip("xya", beside)))
+        self.assertEqual(code, 0, output)
+        found = re.search(r"Final location (\S+), (\S+), (\S+) with", output)
+        self.assertIsNotNone(found, output)
+        for value, expected in zip(found.groups(), truth):
+            self.assertLess(abs(float(value) - expected), 0.1, output)
 
     def test_bag_without_a_pose_says_what_it_lacks(self):
         maps = rospy.Publisher("map", OccupancyGrid, queue_size=1, latch=True)
