@@ -176,7 +176,8 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   if (last_.status == Status::kUninitialised || !isFinite(T_odom_base)) return last_;
   const bool first = !T_odom_base_at_update_;
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
-  ground_.places->beginUpdate(T_odom_base, first ? kUnlimitedWork : workFor(setup_.options));
+  const bool is_new = first || recovery_->isUnverified(observations);  // also once there is a grid
+  ground_.places->beginUpdate(T_odom_base, is_new ? kUnlimitedWork : workFor(setup_.options));
   gyroscope_.observe(T_odom_base, observations);
   sonars_.hear(T_odom_base, observations);
   if (first || update_requested_ || gateOpens(by_wheels, observations)) {
