@@ -48,8 +48,7 @@ std::optional<std::vector<Place>> Recovery::placesFor(const Observations& observ
   for (const Pose2& pose : senses_->explanations(observations, is_new)) {
     places.push_back({pose, errorAt(pose, observations)});
   }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.error < b.error; });
+  std::stable_sort(places.begin(), places.end(), fitsBetter);
   return places;
 }
 

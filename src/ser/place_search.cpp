@@ -17,10 +17,6 @@ constexpr SearchWork kComparedPose = 8;  // with the places near it
 
 constexpr std::size_t kJudgedAfter = 100, kRefinedAfter = 8;  // places
 
-bool fitsBetter(const Place& a, const Place& b) {
-  return a.error < b.error;
-}
-
 std::vector<Place> bestFirst(std::vector<Place> places) {
   std::stable_sort(places.begin(), places.end(), fitsBetter);
   return distinctPlaces(places);
@@ -73,13 +69,12 @@ bool PlaceSearch::partPoses(SearchWork& left) {
 
 /// Below the lattice's spacing.
 bool PlaceSearch::refinePlaces(SearchWork& left) {
-  while (places_.size() < distinct_.size()) {
+  for (; refined_ < distinct_.size(); ++refined_) {
     if (left <= 0) return false;
-    places_.push_back(refiner_->refine(distinct_[places_.size()]));
+    places_.push_back(refiner_->refine(distinct_[refined_]));
     left -= kRefinedPlace;
   }
   places_ = bestFirst(std::move(places_));
-  distinct_.resize(places_.size());
   return true;
 }
 

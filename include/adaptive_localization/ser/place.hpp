@@ -13,6 +13,10 @@ struct Place {
   double error{0.0};  // mean truncated range error per beam, m
 };
 
+inline bool fitsBetter(const Place& a, const Place& b) {
+  return a.error < b.error;
+}
+
 constexpr double kSamePlace = 0.5;  // m
 
 /// Nearer than half a metre and 20 degrees.

@@ -48,7 +48,8 @@ class PlaceSearch {
   std::vector<SearchPose> poses_;
   std::size_t next_pose_{0};
   std::vector<Pose2> distinct_;
-  PlaceMap near_;  // of those
+  PlaceMap near_;           // of those
+  std::size_t refined_{0};  // of those
   std::vector<Place> places_;
 };
 
