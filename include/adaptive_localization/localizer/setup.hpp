@@ -44,7 +44,8 @@ struct LocalizerOptions {
         "Time that searching the map may take in one update, on a core of 3 GHz; a search that "
         "takes longer goes on with the next scans, and it takes longer until wrong places are "
         "told from the right one. Counted in poses looked at, so that a slower machine finds the "
-        "same; 0: no limit. The first scan is searched for at once.");
+        "same; 0: no limit. The first scan, and the one that checks an initial pose, are searched "
+        "for at once.");
     option("recovery", recovery,
            "Move the filter to the places that explain the scans once they rule out its own; "
            "otherwise they only tell the status.");
