@@ -11,17 +11,8 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
-constexpr double kUnfit = 0.3;                        // m, of a scan that tells of no place
-constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
-constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
-constexpr int kSpurious = 2;          // updates in a row that sightings of no landmark can explain
-
-/// How far off is what sightings of landmarks explain.
-Eigen::Matrix3d roughly() {
-  constexpr double kVariance = 0.5 * 0.5, kTurnVariance = 0.2 * 0.2;  // m^2, rad^2
-  return Eigen::Vector3d(kVariance, kVariance, kTurnVariance).asDiagonal();
-}
+constexpr double kUnfit = 0.3;  // m, of a scan that tells of no place
+constexpr int kSpurious = 2;    // updates in a row that sightings of no landmark can explain
 
 }  // namespace
 
@@ -110,7 +101,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (status_ == Status::kLost) odds_.loseWay(motion);
   }
   if (is_settled_ && isRaceDue(T_map_base_expected, T_map_base, error, observations)) {
-    in_doubt_ ? openDoubted() : open(T_map_base_expected);
+    in_doubt_ ? openDoubted(observations) : open(T_map_base_expected);
   } else if (is_settled_) {
     pace_.skipScan();
   }
@@ -156,97 +147,6 @@ bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {
 /// other place is better.
 bool Recovery::isDoubtful(double error, bool is_seen) const {
   return (unexplained_ > (is_seen ? 0 : kSpurious) || isAtALoss()) && pace_.isOver(error);
-}
-
-/// By a scan that was taken a motion `back` from here.
-void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
-  settle();
-  is_settled_ = false;
-  pace_.begin();
-  hypotheses_.addKept(T_map_base * back, odds_);
-  if (left_) hypotheses_.add(*left_ * back, 0.0);
-}
-
-/// The scan that raised a doubt speaks against the doubted place, others since then may not: where
-/// it took more than one update to search for others, that scan is weighed first.
-void Recovery::openDoubted() {
-  const Pose2 T_map_base = *in_doubt_;
-  const std::optional<Places::Asked>& asked = ground_.places->askedBefore();
-  if (!asked) return open(T_map_base);
-  open(T_map_base, inverse(asked->motion));
-  hypotheses_.addAligned(asked->places, 0.0);
-  hypotheses_.weigh(withoutCover(asked->observations), 1.0, usual_.value());
-  hypotheses_.prune();
-  pace_.explain(hypotheses_.leastError());
-  hypotheses_.ride(asked->motion);
-  way_ = wayOf(asked->motion);
-}
-
-void Recovery::settle() {
-  is_settled_ = true;
-  searched_ = explained_ = has_left_ = false;
-  in_doubt_.reset();
-  left_way_ = 0.0;
-  contradictions_ = 0;
-  way_ = kNewWay;  // the first scan counts in full
-  hypotheses_.clear();
-  modes_.clear();
-}
-
-/// Where the core believes to be, with the mean range error there, counts as well, whether the
-/// search finds it or not. A place that is ruled out stays in the race until the one in its stead
-/// is known as well: if that is doubted, it is one of those that are compared.
-void Recovery::race(const Pose2& T_map_base, double error, const Observations& observations) {
-  hypotheses_.note(T_map_base);
-  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
-  // while no place explains the scans each may be the one that tells, but searching is not free
-  const bool has_places = searched_ && explained_;
-  if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
-  const double share = std::min(1.0, way_ / kNewWay);
-  hypotheses_.weigh(observations, share, usual_.value());
-  hypotheses_.prune();
-  way_ = 0.0;
-  modes_ = hypotheses_.modes();
-  explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
-  const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
-  const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
-  const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
-  contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
-  has_left_ = has_left_ || mustMove();
-  if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();
-  const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
-  if (!searched_ || is_ruled_out || !is_one) return;
-  const bool were_all_compared =
-      !hypotheses_.lackSome() && !pace_.wasBlind(hypotheses_.leastError());
-  if (!were_all_compared) return search(observations);
-  if (hypotheses_.ruledOut()) {
-    odds_ = TrackingOdds();  // those were of that place
-    proof_.demand();
-  }
-  settle();
-  is_unchecked_ = told_.isCheckDue();
-  odds_.find();
-  pace_.searched(unexplained_ == 0, hypotheses_.leastError());
-}
-
-void Recovery::search(const Observations& observations) {
-  const auto answer = placesFor(observations);
-  if (!canSearch(observations) || !answer) return;
-  const std::vector<Place>& places = *answer;
-  told_.checked();
-  is_unchecked_ = false;
-  const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
-  if (observations.scan.hits() == 0) {
-    hypotheses_.addFound(places, odds, roughly());
-  } else if (ground_.places->askedBefore()) {
-    hypotheses_.addFound(places, odds);
-  } else {
-    hypotheses_.addAligned(places, odds);
-  }
-  const double error = places.empty() ? RangeError::kTruncation : places.front().error;
-  pace_.searched(error < kExplained, error);
-  searched_ = searched_ || !hypotheses_.isEmpty();
 }
 
 void Recovery::conclude() {

@@ -172,6 +172,11 @@ std::optional<std::vector<Place>> Places::search(const Observations& observation
   return found_;
 }
 
+const Places::Asked* Places::askedBefore(const Observations& observations) const {
+  const bool is_answer = searched_ && isSame(*searched_, observations);
+  return is_answer && asked_before_ ? &*asked_before_ : nullptr;
+}
+
 std::vector<std::string> Places::takeWarnings() {
   return std::exchange(warnings_, {});
 }

@@ -419,7 +419,7 @@ TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
     watched.places().beginUpdate(odometry, work);
     watched.see(there, believed, motion);
   }
-  ASSERT_TRUE(watched.places().askedBefore());
+  ASSERT_TRUE(watched.places().askedBefore(watched.laser.observe(watched.map, there)));
   ASSERT_FALSE(watched.recovery.modes().empty());
   EXPECT_THAT(watched.recovery.modes().front().T_map_base, PoseNear(there, 0.05, 0.03));
   EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));

@@ -140,7 +140,7 @@ TEST(Places, AreSearchedForInParts) {
   }
   EXPECT_GT(updates, 3);
   ASSERT_TRUE(answer && at_once);
-  EXPECT_FALSE(in_parts.askedBefore()) << "by the same scan";
+  EXPECT_FALSE(in_parts.askedBefore(seen)) << "by the same scan";
   ASSERT_EQ(answer->size(), at_once->size());
   for (std::size_t i = 0; i < answer->size(); ++i) {
     EXPECT_THAT((*answer)[i].T_map_base, PoseNear((*at_once)[i].T_map_base, 1e-12, 1e-12));
@@ -156,13 +156,16 @@ TEST(Places, RideOnTheOdometryWhileTheyAreSearchedFor) {
     EXPECT_FALSE(places.search({1.0, scanOf(181)}));
     places.beginUpdate(by_odometry, kUnlimitedWork);
     ToyLaser laser = kHalfCircle;
-    const auto found = places.search({2.0, toScan(laser.read(asymmetricWorld(), in_truth))});
-    EXPECT_TRUE(places.askedBefore());
-    if (places.askedBefore()) {
-      EXPECT_EQ(places.askedBefore()->observations.stamp, 1.0);
-      EXPECT_THAT(places.askedBefore()->motion, PoseNear(by_odometry, 1e-12, 1e-12));
-      EXPECT_THAT(places.askedBefore()->places.front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
+    const Observations now{2.0, toScan(laser.read(asymmetricWorld(), in_truth))};
+    const auto found = places.search(now);
+    const Places::Asked* asked = places.askedBefore(now);
+    EXPECT_TRUE(asked);
+    if (asked) {
+      EXPECT_EQ(asked->observations.stamp, 1.0);
+      EXPECT_THAT(asked->motion, PoseNear(by_odometry, 1e-12, 1e-12));
+      EXPECT_THAT(asked->places.front().T_map_base, PoseNear(kTruth, 0.05, 0.03));
     }
+    EXPECT_FALSE(places.askedBefore({3.0, Scan{}})) << "that was not answered";
     return found.value();
   };
   const Pose2 motion{0.3, 0.0, 0.2};

@@ -95,7 +95,7 @@ class Recovery {
   static constexpr double kUnproven = 0.5;   // confidence, at the most
 
   void open(const Pose2& T_map_base, const Pose2& back = {});
-  void openDoubted();
+  void openDoubted(const Observations& observations);
   void settle();
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   static Observations withoutCover(const Observations& observations);

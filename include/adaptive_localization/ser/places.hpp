@@ -51,15 +51,15 @@ class Places {
   /// again is remembered.
   std::optional<std::vector<Place>> search(const Observations& observations);
 
-  /// What the last answer was searched for by, and the places by that scan alone.
+  /// What an answer was searched for by, and the places by that scan alone.
   struct Asked {
     Observations observations;
     std::vector<Place> places;
     Pose2 motion;  // since then
   };
 
-  /// Nothing if that is the scan which it was judged by.
-  const std::optional<Asked>& askedBefore() const { return asked_before_; }
+  /// The same for the last answer; null if it was to another scan than this, or searched for by it.
+  const Asked* askedBefore(const Observations& observations) const;
 
   /// Whether search() tells as much of this scan as it will: false while the first grid is being
   /// made. A laser whose mount turns all the time may never find one that is made for it.
