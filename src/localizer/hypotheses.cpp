@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "adaptive_localization/localizer/search_pace.hpp"
 #include "adaptive_localization/ser/place.hpp"
@@ -14,9 +15,10 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kMostPlaces = 100;
-constexpr int kLikeliest = 4, kInTurn = 4;  // places judged by each scan
-constexpr double kMargin = 6.0;             // log odds below the best at which a place is ruled out
-constexpr double kScale = 0.1 / 15.0;       // m, for 15 independent beams
+// Places judged by each scan, where one leads, and at the most of those to be aligned with it.
+constexpr std::size_t kLikeliest = 4, kInTurn = 4, kAtOnce = 40;
+constexpr double kMargin = 6.0;        // log odds below the best at which a place is ruled out
+constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
@@ -83,6 +85,11 @@ void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
 
 bool Hypotheses::lackSome() const {
   return left_out_ && *left_out_ >= all_.front().log_odds - kMargin;
+}
+
+bool Hypotheses::waitForSome() const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const Hypothesis& hypothesis) { return hypothesis.is_new; });
 }
 
 void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
@@ -181,21 +188,26 @@ bool Hypotheses::hasLeader() const {
   return best - second > kMargin;
 }
 
-/// Those that the scan judges; share is how much of it is new.
+/// Those that the scan judges; share is how much of it is new. What a search aligned with it costs
+/// no more time.
 void Hypotheses::choose(double share) {
-  const bool are_all_due = !hasLeader();
+  std::size_t room = hasLeader() ? kInTurn : kAtOnce, likeliest = 0, added = 0;
   std::vector<Hypothesis*> others;
-  int likeliest = 0;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.share = std::min(1.0, hypothesis.share + share);
     ++hypothesis.waited;
-    hypothesis.is_due = are_all_due || hypothesis.is_new || hypothesis.T_map_core ||
-                        hypothesis.was_believed || likeliest++ < kLikeliest;
-    if (!hypothesis.is_due) others.push_back(&hypothesis);
+    hypothesis.is_due = hypothesis.aligned.has_value() || hypothesis.T_map_core.has_value() ||
+                        hypothesis.was_believed || (!hypothesis.is_new && likeliest++ < kLikeliest);
+    if (hypothesis.is_due) continue;
+    others.push_back(&hypothesis);
+    added += hypothesis.is_new ? 1 : 0;
   }
-  std::stable_sort(others.begin(), others.end(),
-                   [](const Hypothesis* a, const Hypothesis* b) { return a->waited > b->waited; });
-  if (others.size() > kInTurn) others.resize(kInTurn);
+  const auto before = [](const Hypothesis* a, const Hypothesis* b) {
+    return std::make_pair(!a->is_new, -a->waited) < std::make_pair(!b->is_new, -b->waited);
+  };
+  std::stable_sort(others.begin(), others.end(), before);
+  room = std::max(room, std::min(added, kAtOnce));
+  if (others.size() > room) others.resize(room);
   for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
 }
 
@@ -272,10 +284,14 @@ bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
 
 std::vector<Mode> Hypotheses::modes() const {
   std::vector<Mode> modes;
-  double sum = 0.0;
+  double best = 0.0, sum = 0.0;
+  const bool is_any_judged = std::any_of(
+      all_.begin(), all_.end(), [](const Hypothesis& hypothesis) { return !hypothesis.is_new; });
   for (const Hypothesis& hypothesis : all_) {
-    modes.push_back({hypothesis.T_map_base, hypothesis.covariance,
-                     std::exp(hypothesis.log_odds - all_.front().log_odds)});
+    if (hypothesis.is_new && is_any_judged) continue;
+    if (modes.empty()) best = hypothesis.log_odds;
+    modes.push_back(
+        {hypothesis.T_map_base, hypothesis.covariance, std::exp(hypothesis.log_odds - best)});
     sum += modes.back().mass;
   }
   for (Mode& mode : modes) mode.mass /= sum;

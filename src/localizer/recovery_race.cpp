@@ -78,7 +78,8 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
   has_left_ = has_left_ || mustMove();
   if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();
-  const bool is_one = modes_.size() == 1 && areSamePlace(modes_[0].T_map_base, T_map_base);
+  const bool is_one = modes_.size() == 1 && !hypotheses_.waitForSome() &&
+                      areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   const bool were_all_compared =
       !hypotheses_.lackSome() && !pace_.wasBlind(hypotheses_.leastError());

@@ -320,6 +320,37 @@ TEST(Hypotheses, LackPlacesThatHadNoRoomUnlessOneIsLikelierByFar) {
   EXPECT_TRUE(kept.lackSome());
 }
 
+TEST(Hypotheses, ManyNewPlacesAreJudgedInTurnsAndNoneIsAModeBefore) {
+  Hypotheses hypotheses(asymmetricWorld());
+  std::vector<Place> places = placesOfGrid(99);
+  places.push_back({kTruth, 0.0});
+  hypotheses.addFound(places, 0.0);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_TRUE(hypotheses.waitForSome());
+  EXPECT_EQ(hypotheses.modes().size(), 40U);
+  EXPECT_EQ(massOf(hypotheses, kTruth), 0.0) << "the last one";
+  int scans = 1;
+  for (; hypotheses.waitForSome() && scans < 10; ++scans) {
+    hypotheses.prune();
+    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  }
+  EXPECT_EQ(scans, 3);
+  for (; scans < 12; ++scans) {
+    hypotheses.prune();
+    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  }
+  hypotheses.prune();
+  ASSERT_EQ(hypotheses.modes().size(), 1U);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
+}
+
+TEST(Hypotheses, WhatASearchAlignedIsJudgedAtOnce) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addAligned(placesOfGrid(100), 0.0);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  EXPECT_FALSE(hypotheses.waitForSome());
+}
+
 /// The symmetric room with a cupboard in one half of it.
 std::shared_ptr<const OccupancyGrid> roomWithCupboard() {
   const auto room = symmetricWorld();

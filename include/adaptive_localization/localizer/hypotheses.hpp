@@ -8,6 +8,7 @@
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/localizer/tracking_odds.hpp"
+#include "adaptive_localization/map/range_error.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
 #include "adaptive_localization/ser/place.hpp"
@@ -34,9 +35,11 @@ class PlaceRefiner;
 /// disturbed, or a landmark that was moved, stays so, and decides only between places that scans
 /// and what was known before leave open.
 ///
-/// As long as one of many places is far likelier than all others, as on poor maps where each scan
-/// fits here and there, the likeliest are judged by each scan and the others in turn, by all that
-/// is new since they were: an update takes no longer for a hundred places than for ten.
+/// Of many places not all are judged by each scan, so that an update takes no longer for a hundred
+/// places than for some: the likeliest are, and the others in turn, by all that is new since they
+/// were. Those that no scan has judged yet come first; until then they are no modes, and no place
+/// has won. As long as one is far likelier than all others, as on poor maps where each scan fits
+/// here and there, fewer are judged.
 class Hypotheses {
  public:
   explicit Hypotheses(Ground ground, Senses senses = noSenses())
@@ -80,6 +83,9 @@ class Hypotheses {
   /// Whether the last search found places for which there was no room, and which those that are
   /// left do not rule out.
   bool lackSome() const;
+
+  /// Whether some were not judged by any scan yet.
+  bool waitForSome() const;
 
   /// The place where the robot was told or known to be, with the odds that it has before a scan is
   /// looked at.
@@ -134,7 +140,7 @@ class Hypotheses {
     return is_kept_ruled_out_ ? std::make_optional(T_map_kept_) : std::nullopt;
   }
 
-  /// Likeliest first; their masses sum up to 1.
+  /// Likeliest first; their masses sum up to 1. Of those that a scan judged, if it judged any.
   std::vector<Mode> modes() const;
 
  private:
@@ -156,14 +162,14 @@ class Hypotheses {
     bool was_believed{false};  // it was the only one before the others were looked for
     std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
     std::optional<Place> aligned{};                    // with the next scan
-    Pose2 T_map_ridden{};      // by odometry alone, before it was aligned with the last scan
-    bool is_new{true};         // not judged yet: a scan counts in full
-    bool is_due{true};         // to be judged by this scan
-    int waited{0};             // scans since it was judged,
-    double share{0.0};         // and how much of them was new
-    double error{0.0};         // of the last scan, m
-    bool is_explained{false};  // it speaks against no place less
-    bool is_spared{false};     // it would rule the place out, were it not kept and did not most fit
+    Pose2 T_map_ridden{};  // by odometry alone, before it was aligned with the last scan
+    bool is_new{true};     // not judged yet: a scan counts in full
+    bool is_due{true};     // to be judged by this scan
+    int waited{0};         // scans since it was judged,
+    double share{0.0};     // and how much of them was new
+    double error{RangeError::kTruncation};  // of the last scan, m
+    bool is_explained{false};               // it speaks against no place less
+    bool is_spared{false};  // it would rule the place out, were it not kept and did not most fit
     std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
     Eigen::Matrix3d covariance = placeCovariance();
     double way{0.0};  // m or rad, since it was corrected by other senses
