@@ -51,16 +51,17 @@ ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const Surf
 
 ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map,
                             const MapQuality& quality) {
+  const double reach = 2.0 * options.match_reach;  // of labels: a hit's cell may be beside the wall
   if (options.line_map.empty()) {
-    ScanMatcher matcher(options, std::make_shared<const SurfaceMap>(map));
+    ScanMatcher matcher(options, std::make_shared<const SurfaceMap>(map, reach));
     if (quality.hasThickWalls()) {
       const OccupancyGrid thin = withThinWalls(map, quality.wallDepth());
-      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(thin)});
+      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(thin, reach)});
     }
     return matcher;
   }
   const auto lines = loadLineMap(options.line_map, map.lattice());
-  return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines)};
+  return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines, reach)};
 }
 
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {

@@ -97,6 +97,27 @@ TEST(SurfaceMap, TellsThousandsOfSurfacesApart) {
   }
 }
 
+/// In every tile of the map and at its borders, which are no tile's.
+TEST(SurfaceMap, KnowsSurfacesWithinReachAndNoOthers) {
+  const std::vector<Segment> walls{{{30.0, 0.53}, {0.5, 0.53}}, {{20.03, 19.0}, {20.03, 1.0}}};
+  const SurfaceMap surfaces(Lattice(607, 391, 0.05, {}), walls, 1.0);
+  for (double along = 0.6; along < 29.9; along += 0.13) {
+    const Eigen::Vector2d start(along, 0.02);
+    for (const double y : {0.4, 0.56, 1.4}) {
+      EXPECT_EQ(surfaces.hitBy(start, {along, y}), &surfaces.surfaces()[0]) << along << ", " << y;
+    }
+    if (along > 18.8 && along < 21.2) continue;  // the other wall is near
+    EXPECT_EQ(surfaces.hitBy(start, {along, 1.7}), nullptr) << along;
+  }
+  for (double along = 2.7; along < 18.9; along += 0.17) {
+    const Eigen::Vector2d start(24.0, along);
+    for (const double x : {20.1, 19.9, 19.2}) {
+      EXPECT_EQ(surfaces.hitBy(start, {x, along}), &surfaces.surfaces()[1]) << along << ", " << x;
+    }
+    EXPECT_EQ(surfaces.hitBy(start, {18.8, along}), nullptr);
+  }
+}
+
 TEST(SurfaceMap, HasNothingWhereThereIsNothing) {
   const SurfaceMap empty(*toyWorld({"....", "...."}, 0.05));
   EXPECT_TRUE(empty.surfaces().empty());

@@ -16,20 +16,21 @@ namespace adaptive_localization {
 /// From an occupancy grid: a line is fitted to the cells around each occupied one that free ground
 /// touches on the same side (total least squares, weights falling with distance), which tells where
 /// the wall is to a fraction of a cell if it is straight; where the cells around make no line there
-/// is no surface. From line segments: the segments.
+/// is no surface. From line segments: the segments. Labels are kept in tiles, and only where there
+/// is a surface within reach.
 class SurfaceMap {
  public:
-  explicit SurfaceMap(const OccupancyGrid& grid);
+  explicit SurfaceMap(const OccupancyGrid& grid, double reach = 2.0);
 
   /// Segments with the free side on the left of a -> b, looked up in the cells of a lattice;
   /// those of no length are left out.
-  SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segments);
+  SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segments, double reach = 2.0);
 
   const Lattice& lattice() const { return lattice_; }
 
   /// The surface that a beam from `start` hit at a point: of those that face the start the nearest,
-  /// which is the near side of a wall wherever noise puts the hit. Null more than two metres beyond
-  /// all surfaces, outside the lattice, and where all face away.
+  /// which is the near side of a wall wherever noise puts the hit. Null where there is
+  /// none within reach, m, outside the lattice, and where all face away.
   const Surface* hitBy(const Eigen::Vector2d& start, const Eigen::Vector2d& hit) const;
 
   /// All of them.
@@ -42,21 +43,31 @@ class SurfaceMap {
     std::uint32_t surface;
   };
   static constexpr std::size_t kLayers = 4;
+  static constexpr int kTile = 32;  // cells
 
-  void spread(const std::vector<Seed>& seeds);
-  void label(std::size_t layer, const std::vector<Seed>& seeds);
-  std::uint32_t labelAt(std::size_t at) const {
-    return wide_labels_.empty() ? labels_[at] : wide_labels_[at];
+  /// Of each cell, row-major, the nearest of the surfaces that look to +x, -x, +y and -y, as
+  /// numbers in a list of the tile's own; kNone: none does within reach. No labels: none anywhere.
+  struct Tile {
+    std::vector<std::uint32_t> surfaces;
+    std::vector<std::uint16_t> labels;
+  };
+  static constexpr std::uint16_t kNone = 0xFFFF;
+
+  class Group;
+
+  void spread(const std::vector<Seed>& seeds, double reach);
+  std::size_t tileOf(const Cell& cell) const {
+    return static_cast<std::size_t>(cell.y / kTile) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(cell.x / kTile);
+  }
+  static std::size_t placeInTile(const Cell& cell) {
+    return kLayers * static_cast<std::size_t>(cell.y % kTile * kTile + cell.x % kTile);
   }
 
   Lattice lattice_;
   std::vector<Surface> surfaces_;
-  Cell first_{0, 0};  // of the part of the lattice that has labels
-  int width_{0}, height_{0};
-  /// Indices of the nearest of the surfaces that look to +x, -x, +y and -y, cell by cell and
-  /// row-major; one beyond the last surface: none does. Wide ones only where there are many.
-  std::vector<std::uint16_t> labels_;
-  std::vector<std::uint32_t> wide_labels_;
+  int columns_{0}, rows_{0};  // of tiles
+  std::vector<Tile> tiles_;
 };
 
 }  // namespace adaptive_localization
