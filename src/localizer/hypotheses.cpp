@@ -145,6 +145,13 @@ void Hypotheses::ride(const Pose2& motion) {
   T_map_kept_ = T_map_kept_ * motion;
 }
 
+void Hypotheses::moveKept(const Pose2& T_map_base) {
+  for (Hypothesis& hypothesis : all_) {
+    if (hypothesis.was_believed) hypothesis.T_map_base = T_map_base;
+  }
+  T_map_kept_ = T_map_base;
+}
+
 void Hypotheses::note(const Pose2& T_map_core) {
   const auto place = about(all_, T_map_core);
   if (place != all_.end()) place->T_map_core = T_map_core;
@@ -225,10 +232,13 @@ double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, b
 void Hypotheses::weigh(const Observations& observations, double share, double usual) {
   const Scan& scan = observations.scan;
   const bool is_seen = scan.hits() > 0;
-  const PlaceRefiner refiner(ground_.map, ground_.field, scan, scan.max_range,
-                             RangeError::kTruncation);
+  const PlaceRefiner refiner = refinerFor(scan);
   choose(share);
   is_seen ? align(refiner, usual) : correctBySenses(observations);
+  if (is_seen && led_to_ && all_.size() < kMostPlaces) {
+    all_.push_back(*led_to_);
+    least_error_ = std::min(least_error_, led_to_->error);
+  }
   const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
   const Eigen::ArrayXXd told = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {

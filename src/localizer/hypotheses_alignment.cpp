@@ -22,13 +22,31 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
 
 }  // namespace
 
+PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
+  return {ground_.map, ground_.field, scan, scan.max_range, RangeError::kTruncation};
+}
+
+void Hypotheses::follow(const Scan& scan, double usual) {
+  for (Hypothesis& hypothesis : all_) hypothesis.is_due = true;
+  align(refinerFor(scan), usual);
+}
+
 /// The better one of two ways to the core's place: from where it was and from where the core is.
+/// One that leads away from where both odometry and the core have it, as along a wall with gaps,
+/// leads to another place: odds that were earned do not go there.
 Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
                               const Place& before, double usual) {
-  const Pose2 T_map_core = *hypothesis.T_map_core;
+  const Pose2 T_map_core = *hypothesis.T_map_core, ridden = hypothesis.T_map_ridden;
   hypothesis.T_map_core.reset();
   const Place now = alignedWith(refiner, T_map_core);
-  const Place& place = now.error <= withTolerance(before.error) ? now : before;
+  const bool leads_away = !areSamePlace(before.T_map_base, T_map_core) &&
+                          distance(before.T_map_base, ridden) > distance(T_map_core, ridden);
+  if (leads_away) {
+    led_to_ = Hypothesis{before.T_map_base, hypothesis.log_odds - hypothesis.prior};
+    led_to_->error = before.error;
+  }
+  const bool is_now = leads_away || now.error <= withTolerance(before.error);
+  const Place& place = is_now ? now : before;
   const double error = refiner.error(T_map_core);
   is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
   return place;
@@ -37,6 +55,7 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
+  led_to_.reset();
   const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;

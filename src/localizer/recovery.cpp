@@ -23,6 +23,7 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
       confidence_(options, ground.field, senses),
       usual_(ground.field->quality().rangeError()),
       hypotheses_(ground, senses),
+      doubted_(ground, senses),
       proof_(ground.field->quality().roughness()) {}
 
 void Recovery::reset(const Prior& prior) {
@@ -52,6 +53,7 @@ void Recovery::goOnFrom(const Recovery& other) {
   next.proof_ = proof_;
   next.proof_.goOnFrom(other.proof_);
   next.hypotheses_.standOn(ground_, senses_);
+  next.doubted_.standOn(ground_, senses_);
   *this = std::move(next);
 }
 
@@ -69,6 +71,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const Pose2& T_map_base = estimate.T_map_base;
   confidence_.observe(estimate, tells(observations) ? observations : all);
   hypotheses_.ride(motion);
+  doubted_.ride(motion);
   way_ += wayOf(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
@@ -98,7 +101,11 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
     if (status_ == Status::kTracking && !in_doubt_) odds_.earn(motion);
-    if (status_ == Status::kLost) odds_.loseWay(motion);
+    if (status_ == Status::kLost && !in_doubt_) odds_.loseWay(motion);
+  }
+  if (in_doubt_ && observations.scan.hits() > 0) {
+    doubted_.note(T_map_base);
+    doubted_.follow(observations.scan, usual_.value());
   }
   if (is_settled_ && isRaceDue(T_map_base_expected, T_map_base, error, observations)) {
     in_doubt_ ? openDoubted(observations) : open(T_map_base_expected);
@@ -133,7 +140,7 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
                          const Observations& observations) {
   if (told_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  if (!in_doubt_ && (told_.isCheckDue() || isDoubtful(error, is_seen))) in_doubt_ = expected;
+  if (!in_doubt_ && (told_.isCheckDue() || isDoubtful(error, is_seen))) doubt(expected);
   if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
 }

@@ -21,6 +21,13 @@ Eigen::Matrix3d roughly() {
 
 }  // namespace
 
+/// While other places are searched for, the doubted one is followed as it would be in a race.
+void Recovery::doubt(const Pose2& T_map_base) {
+  in_doubt_ = T_map_base;
+  doubted_.clear();
+  doubted_.addKept(T_map_base, odds_);
+}
+
 /// By a scan that was taken a motion `back` from here.
 void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
   settle();
@@ -33,15 +40,16 @@ void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
 /// The scan that raised a doubt speaks against the doubted place, others since then may not: where
 /// it took more than one update to search for others, that scan is weighed first.
 void Recovery::openDoubted(const Observations& observations) {
-  const Pose2 T_map_base = *in_doubt_;
+  const Pose2 T_map_then = *in_doubt_, T_map_now = doubted_.modes().front().T_map_base;
   const Places::Asked* asked = ground_.places->askedBefore(observations);
-  if (!asked) return open(T_map_base);
-  open(T_map_base, inverse(asked->motion));
+  if (!asked) return open(T_map_now);
+  open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
   hypotheses_.weigh(withoutCover(asked->observations), 1.0, usual_.value());
   hypotheses_.prune();
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
+  hypotheses_.moveKept(T_map_now);
   way_ = wayOf(asked->motion);
 }
 

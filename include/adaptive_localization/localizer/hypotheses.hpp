@@ -128,6 +128,12 @@ class Hypotheses {
   /// By the odds a core is not where it is, and the last scan fits the likeliest place far better.
   bool isOutdone(const Pose2& T_map_core) const;
 
+  /// Aligns all with a scan that is no evidence yet.
+  void follow(const Scan& scan, double usual);
+
+  /// Where the kept place is by now, unless it was left out.
+  void moveKept(const Pose2& T_map_base);
+
   /// Aligns all with a scan and takes note of what it and the other senses say of them. Without a
   /// scan each is corrected by the other senses, as a Kalman filter is, and they alone are judges.
   void weigh(const Observations& observations, double share, double usual);
@@ -183,6 +189,7 @@ class Hypotheses {
     }
   };
 
+  PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
 
@@ -208,6 +215,7 @@ class Hypotheses {
   double least_error_{0.0};
   bool is_core_beside_{false};
   std::vector<Hypothesis> all_;
+  std::optional<Hypothesis> led_to_{};  // by the last alignment: a place of its own
   Pose2 T_map_kept_;
   bool is_kept_ruled_out_{false};
   std::optional<double> left_out_;  // log odds of places for which there was no room

@@ -94,6 +94,7 @@ class Recovery {
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
   static constexpr double kUnproven = 0.5;   // confidence, at the most
 
+  void doubt(const Pose2& T_map_base);
   void open(const Pose2& T_map_base, const Pose2& back = {});
   void openDoubted(const Observations& observations);
   void settle();
@@ -132,6 +133,7 @@ class Recovery {
   bool scan_fits_{false};            // the core's place, as well as is usual
   bool is_settled_{true};            // there is one place, the core's,
   std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
+  Hypotheses doubted_;               // the same place, as scans show it
   bool is_unchecked_{false};         // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
