@@ -40,7 +40,9 @@ void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
 /// The scan that raised a doubt speaks against the doubted place, others since then may not: where
 /// it took more than one update to search for others, that scan is weighed first.
 void Recovery::openDoubted(const Observations& observations) {
-  const Pose2 T_map_then = *in_doubt_, T_map_now = doubted_.modes().front().T_map_base;
+  const std::vector<Mode> followed = doubted_.modes();  // none if odometry was no finite pose
+  const Pose2 T_map_then = *in_doubt_;
+  const Pose2 T_map_now = followed.empty() ? T_map_then : followed.front().T_map_base;
   const Places::Asked* asked = ground_.places->askedBefore(observations);
   if (!asked) return open(T_map_now);
   open(T_map_then, inverse(asked->motion));

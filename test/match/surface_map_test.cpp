@@ -97,7 +97,7 @@ TEST(SurfaceMap, TellsThousandsOfSurfacesApart) {
   }
 }
 
-/// In every tile of the map and at its borders, which are no tile's.
+/// On a map of many tiles, the last of which it cuts off.
 TEST(SurfaceMap, KnowsSurfacesWithinReachAndNoOthers) {
   const std::vector<Segment> walls{{{30.0, 0.53}, {0.5, 0.53}}, {{20.03, 19.0}, {20.03, 1.0}}};
   const SurfaceMap surfaces(Lattice(607, 391, 0.05, {}), walls, 1.0);

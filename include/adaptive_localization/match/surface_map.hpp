@@ -16,8 +16,8 @@ namespace adaptive_localization {
 /// From an occupancy grid: a line is fitted to the cells around each occupied one that free ground
 /// touches on the same side (total least squares, weights falling with distance), which tells where
 /// the wall is to a fraction of a cell if it is straight; where the cells around make no line there
-/// is no surface. From line segments: the segments. Labels are kept in tiles, and only where there
-/// is a surface within reach.
+/// is no surface. From line segments: the segments. Labels reach so far beyond a surface, m; they
+/// are kept in tiles, and only in those where there are any.
 class SurfaceMap {
  public:
   explicit SurfaceMap(const OccupancyGrid& grid, double reach = 2.0);
@@ -29,8 +29,8 @@ class SurfaceMap {
   const Lattice& lattice() const { return lattice_; }
 
   /// The surface that a beam from `start` hit at a point: of those that face the start the nearest,
-  /// which is the near side of a wall wherever noise puts the hit. Null where there is
-  /// none within reach, m, outside the lattice, and where all face away.
+  /// which is the near side of a wall wherever noise puts the hit. Null where there is none
+  /// within reach, outside the lattice, and where all face away.
   const Surface* hitBy(const Eigen::Vector2d& start, const Eigen::Vector2d& hit) const;
 
   /// All of them.
