@@ -344,6 +344,21 @@ TEST(Hypotheses, ManyNewPlacesAreJudgedInTurnsAndNoneIsAModeBefore) {
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
 }
 
+TEST(Hypotheses, APlaceIsFollowedWhereOdometryDrifts) {
+  Hypotheses followed(asymmetricWorld());
+  followed.addKept(kTruth, TrackingOdds(true));
+  Pose2 truth = kTruth, by_odometry = kTruth;
+  for (int step = 0; step < 20; ++step) {
+    truth = truth * Pose2{0.1, 0.0, 0.0};
+    by_odometry = by_odometry * Pose2{0.13, 0.0, 0.02};
+    followed.ride({0.13, 0.0, 0.02});
+    followed.follow(seenAt(truth).scan, kUsual);
+  }
+  EXPECT_GT(distance(by_odometry, truth), 0.5) << "or there is nothing to follow";
+  EXPECT_THAT(followed.modes().front().T_map_base, PoseNear(truth, 0.05, 0.03));
+  EXPECT_TRUE(followed.waitForSome()) << "no scan was evidence";
+}
+
 TEST(Hypotheses, WhatASearchAlignedIsJudgedAtOnce) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addAligned(placesOfGrid(100), 0.0);
