@@ -101,7 +101,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
     if (status_ == Status::kTracking && !in_doubt_) odds_.earn(motion);
-    if (status_ == Status::kLost && !in_doubt_) odds_.loseWay(motion);
+    const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
+    if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion);
   }
   if (in_doubt_ && observations.scan.hits() > 0) {
     doubted_.note(T_map_base);
