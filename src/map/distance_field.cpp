@@ -5,10 +5,33 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "adaptive_localization/core/parallel.hpp"
 #include "occupied_depth.hpp"
 
 namespace adaptive_localization {
 namespace {
+
+constexpr double kReach = 5.0;                      // m
+constexpr int kLeastReach = 16, kMostReach = 1023;  // cells
+constexpr int kBlock =
+    512;  // cells, the side of what is made at once; a multiple of a tile's sides
+static_assert(kBlock % SparseGrid::kTileColumns == 0 && kBlock % SparseGrid::kTileRows == 0);
+
+int reachInCells(const Lattice& lattice) {
+  return static_cast<int>(
+      std::clamp<double>(std::ceil(kReach / lattice.resolution()), kLeastReach, kMostReach));
+}
+
+/// To whole tiles.
+cv::Size roundedUp(const cv::Size& size) {
+  constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
+  return {(size.width + kColumns - 1) / kColumns * kColumns,
+          (size.height + kRows - 1) / kRows * kRows};
+}
+
+cv::Rect grown(const cv::Rect& box, int by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
 
 /// Those of the occupied cells that are so many cells deep or less. A deeper one is the middle of a
 /// square of occupied cells that fits into the circle; most maps have none.
@@ -18,28 +41,70 @@ cv::Mat notDeeper(const cv::Mat& occupied, double most) {
   return occupied & (depthOf(occupied) <= most);
 }
 
-/// 0 in the cells of walls, 255 elsewhere; empty if there are none.
-cv::Mat wallsOf(const OccupancyGrid& grid, const StopToken& stop) {
-  const cv::Mat occupied = occupiedCells(grid);
+/// The cells of walls in a box of the map, 255, others 0; empty if there are none.
+cv::Mat wallsIn(const OccupancyGrid& grid, const cv::Rect& box) {
+  const double depth = 1.0 + kWallDepth / grid.lattice().resolution();
+  const int margin = static_cast<int>(std::min(depth, 1e6)) + 1;  // a deeper cell is deep here too
+  const cv::Rect map(0, 0, grid.lattice().width(), grid.lattice().height());
+  const cv::Rect around = grown(box, margin) & map;
+  const cv::Mat occupied = occupiedCells(grid, around);
   if (cv::countNonZero(occupied) == 0) return {};
-  stop.check();
-  const cv::Mat walls = notDeeper(occupied, 1.0 + kWallDepth / grid.lattice().resolution());
-  stop.check();
-  return walls == 0;
+  const cv::Mat walls = notDeeper(occupied, depth)(box - around.tl());
+  return cv::countNonZero(walls) == 0 ? cv::Mat() : walls;
+}
+
+/// How many steps each cell of a box of the map is nearer to a wall than the reach; empty if none
+/// is.
+cv::Mat nearnessIn(const OccupancyGrid& grid, const cv::Rect& box, int reach, int steps_per_cell) {
+  const cv::Rect map(0, 0, grid.lattice().width(), grid.lattice().height());
+  const cv::Rect around = grown(box, reach) & map;
+  const cv::Mat walls = wallsIn(grid, around);
+  if (walls.empty()) return {};
+  cv::Mat cells, steps;
+  cv::distanceTransform(walls == 0, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  cells(box - around.tl()).convertTo(steps, CV_16U, steps_per_cell);
+  return cv::Scalar(reach * steps_per_cell) - steps;  // not below 0
+}
+
+/// Writes those tiles of a block of the table, whose corner is given, in which something is not 0.
+void write(const cv::Mat& block, const cv::Point& corner, SparseGrid& table) {
+  constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
+  for (int y = 0; y < block.rows; y += kRows) {
+    for (int x = 0; x < block.cols; x += kColumns) {
+      const cv::Mat cells = block(cv::Rect(x, y, kColumns, kRows));
+      if (cv::countNonZero(cells) == 0) continue;
+      const std::size_t first = table.index(corner.x + x, corner.y + y);
+      std::uint16_t* tile = table.write(first / SparseGrid::kTileSize);
+      cv::transpose(cells, cv::Mat(kColumns, kRows, CV_16U, tile));
+    }
+  }
 }
 
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
-    : lattice_(grid.lattice()), step_(lattice_.resolution() / kStepsPerCell), quality_(grid) {
-  steps_.assign(lattice_.size(), kFar);
-  const cv::Mat walls = wallsOf(grid, stop);
-  if (walls.empty()) return;
-  cv::Mat cells;
-  cv::distanceTransform(walls, cells, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  stop.check();
-  cv::Mat steps(lattice_.height(), lattice_.width(), CV_16U, steps_.data());
-  cells.convertTo(steps, CV_16U, kStepsPerCell);
+    : lattice_(grid.lattice()),
+      step_(lattice_.resolution() / kStepsPerCell),
+      reach_(reachInCells(lattice_) * kStepsPerCell),
+      quality_(grid),
+      nearness_(lattice_.width() + 2, lattice_.height() + 2) {
+  const cv::Rect map(1, 1, lattice_.width(), lattice_.height());  // in the table
+  const int across = (map.width + 1) / kBlock + 1, down = (map.height + 1) / kBlock + 1;
+  const auto blocks = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  parallelFor(blocks, 1, [&](const Chunk& chunk) {
+    stop.check();
+    const auto number = static_cast<int>(chunk.begin);
+    const cv::Point corner(number % across * kBlock, number / across * kBlock);
+    const cv::Rect box = cv::Rect(corner, cv::Size(kBlock, kBlock)) & map;
+    if (box.empty()) return;
+    const cv::Mat nearness =
+        nearnessIn(grid, box - map.tl(), reach_ / kStepsPerCell, kStepsPerCell);
+    if (nearness.empty()) return;
+    cv::Mat block(kBlock, kBlock, CV_16U, cv::Scalar(0));
+    nearness.copyTo(block(box - corner));
+    const cv::Size used(box.x - corner.x + box.width, box.y - corner.y + box.height);
+    write(block(cv::Rect({0, 0}, roundedUp(used))), corner, nearness_);
+  });
 }
 
 double DistanceField::between(const Eigen::Vector2d& point_map) const {
@@ -66,14 +131,16 @@ double DistanceField::sumBetween(const Pose2& T_map_base, const Eigen::ArrayXf& 
 /// Between the four cells around a point, given in cells from the centre of the first.
 double DistanceField::stepsBetween(double x, double y) const {
   const int last_x = lattice_.width() - 1, last_y = lattice_.height() - 1;
-  if (!(x > -0.5 && y > -0.5 && x < last_x + 0.5 && y < last_y + 0.5)) return kFar;
+  if (!(x > -0.5 && y > -0.5 && x < last_x + 0.5 && y < last_y + 0.5)) return reach_;
   const int left = static_cast<int>(x + 1.0) - 1, low = static_cast<int>(y + 1.0) - 1;  // floors
-  const std::uint16_t* lower = &steps_[lattice_.index({0, std::max(low, 0)})];
-  const std::uint16_t* upper = &steps_[lattice_.index({0, std::min(low + 1, last_y)})];
-  const int first = std::max(left, 0), second = std::min(left + 1, last_x);
-  const double below = lower[first] + (x - left) * (lower[second] - lower[first]);
-  const double above = upper[first] + (x - left) * (upper[second] - upper[first]);
-  return below + (y - low) * (above - below);
+  const int first = std::max(left, 0) + 1, second = std::min(left + 1, last_x) + 1;
+  const int lower = std::max(low, 0) + 1, upper = std::min(low + 1, last_y) + 1;
+  const auto along = [&](int row) {
+    const int here = reach_ - nearness_.at(first, row), next = reach_ - nearness_.at(second, row);
+    return here + (x - left) * (next - here);
+  };
+  const double below = along(lower);
+  return below + (y - low) * (along(upper) - below);
 }
 
 }  // namespace adaptive_localization

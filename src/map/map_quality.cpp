@@ -16,12 +16,22 @@ namespace {
 constexpr double kGoodHits = 0.04, kPoorHits = 0.2;  // m, deviations on good and poor maps
 
 /// In cells, of walls two cells deep and deeper. A face is a cell that is not shut in by occupied
-/// ones on its four sides.
-double cellsDeep(const cv::Mat& occupied) {
-  const int count = cv::countNonZero(occupied);
-  if (count == 0) return 0.0;
-  const int shut_in = cv::countNonZero(shrunk(occupied, cv::MORPH_CROSS, 1));
-  return 2.0 * count / (count - shut_in);
+/// ones on its four sides. Counted in strips of rows, so that a large map is not copied.
+double cellsDeep(const OccupancyGrid& map) {
+  constexpr int kStrip = 256;  // rows
+  const cv::Rect all(0, 0, map.lattice().width(), map.lattice().height());
+  double count = 0.0, shut_in = 0.0;
+  for (int row = 0; row < all.height; row += kStrip) {
+    const cv::Rect strip = cv::Rect(0, row, all.width, kStrip) & all;
+    const cv::Rect with_neighbours = cv::Rect(0, row - 1, all.width, kStrip + 2) & all;
+    const cv::Mat occupied = occupiedCells(map, with_neighbours);
+    const cv::Rect here = strip - with_neighbours.tl();
+    const int occupied_here = cv::countNonZero(occupied(here));
+    if (occupied_here == 0) continue;
+    count += occupied_here;
+    shut_in += cv::countNonZero(shrunk(occupied, cv::MORPH_CROSS, 1)(here));
+  }
+  return count > 0.0 ? 2.0 * count / (count - shut_in) : 0.0;
 }
 
 /// By how much the depth, in cells, varies where it is greatest of all around: the standard
@@ -55,12 +65,12 @@ double deviationAlongMiddles(const cv::Mat& occupied, double side) {
 MapQuality::MapQuality(const OccupancyGrid& map) : resolution_(map.lattice().resolution()) {
   constexpr double kPiece = 2.0;  // m, of a wall
   constexpr double kThick = 3.5;  // cells; maps of walls seen from their sides have 2.0 to 2.8
-  const cv::Mat occupied = occupiedCells(map);
-  const double cells = cellsDeep(occupied);
+  const double cells = cellsDeep(map);
   wall_depth_ = cells * resolution_;
   has_thick_walls_ = cells > kThick;
-  roughness_ =
-      has_thick_walls_ ? deviationAlongMiddles(occupied, kPiece / resolution_) * resolution_ : 0.0;
+  roughness_ = has_thick_walls_
+                   ? deviationAlongMiddles(occupiedCells(map), kPiece / resolution_) * resolution_
+                   : 0.0;
 }
 
 double MapQuality::hitDeviation() const {

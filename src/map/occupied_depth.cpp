@@ -6,9 +6,14 @@
 namespace adaptive_localization {
 
 cv::Mat occupiedCells(const OccupancyGrid& map) {
+  return occupiedCells(map, {0, 0, map.lattice().width(), map.lattice().height()});
+}
+
+cv::Mat occupiedCells(const OccupancyGrid& map, const cv::Rect& box) {
   const Lattice& lattice = map.lattice();
   auto* cells = const_cast<std::int8_t*>(map.cells().data());  // OpenCV has no Mat of const
-  return cv::Mat(lattice.height(), lattice.width(), CV_8S, cells) >= OccupancyGrid::kLeastOccupied;
+  const cv::Mat all(lattice.height(), lattice.width(), CV_8S, cells);
+  return all(box) >= OccupancyGrid::kLeastOccupied;
 }
 
 cv::Mat shrunk(const cv::Mat& occupied, int shape, int reach) {

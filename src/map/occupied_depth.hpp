@@ -10,6 +10,9 @@ namespace adaptive_localization {
 /// 255 in occupied cells, 0 elsewhere; a row per row of the map.
 cv::Mat occupiedCells(const OccupancyGrid& map);
 
+/// The same of a box of the map.
+cv::Mat occupiedCells(const OccupancyGrid& map, const cv::Rect& box);
+
 /// Those that have occupied cells alone around them, in a cross or square (cv::MorphShapes) so many
 /// cells to each side; what is outside the map is not occupied.
 cv::Mat shrunk(const cv::Mat& occupied, int shape, int reach);

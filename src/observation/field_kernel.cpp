@@ -28,6 +28,8 @@ void sumPortable(const FieldView& field, const PoseColumns& poses, std::size_t b
 namespace {
 
 constexpr std::size_t kLanes = 8;
+constexpr int kTileRowsLog2 = 5;
+static_assert(1 << kTileRowsLog2 == SparseGrid::kTileRows);
 
 __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseColumns& poses,
                                              std::size_t begin, std::size_t end, const float* x,
@@ -36,6 +38,7 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
   const __m256 max_u = _mm256_set1_ps(field.max_u);
   const __m256 max_v = _mm256_set1_ps(field.max_v);
   const __m256i stride = _mm256_set1_epi32(field.stride);
+  const __m256i in_tile_mask = _mm256_set1_epi32(SparseGrid::kTileRows - 1);
   const __m256i low_half = _mm256_set1_epi32(0xFFFF);
   const auto* values = reinterpret_cast<const int*>(field.values);
   std::size_t i = begin;
@@ -53,8 +56,11 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
       // max(a, 0) is 0 for a NaN, as in valueAt
       const __m256 column = _mm256_min_ps(_mm256_max_ps(_mm256_add_ps(u, du), zero), max_u);
       const __m256 row = _mm256_min_ps(_mm256_max_ps(_mm256_add_ps(v, dv), zero), max_v);
-      const __m256i index = _mm256_add_epi32(_mm256_mullo_epi32(_mm256_cvttps_epi32(row), stride),
-                                             _mm256_cvttps_epi32(column));
+      const __m256i row_of = _mm256_cvttps_epi32(row);
+      const __m256i in_tile = _mm256_and_si256(row_of, in_tile_mask);
+      const __m256i strip = _mm256_mullo_epi32(_mm256_sub_epi32(row_of, in_tile), stride);
+      const __m256i x_in_strip = _mm256_slli_epi32(_mm256_cvttps_epi32(column), kTileRowsLog2);
+      const __m256i index = _mm256_add_epi32(_mm256_add_epi32(strip, x_in_strip), in_tile);
       sum = _mm256_add_epi32(sum,
                              _mm256_and_si256(_mm256_i32gather_epi32(values, index, 2), low_half));
     }

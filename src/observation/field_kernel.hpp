@@ -3,9 +3,11 @@
 
 #include <cstdint>
 
+#include "adaptive_localization/map/sparse_grid.hpp"
+
 namespace adaptive_localization {
 
-/// A table of 16-bit values with a border one cell wide; limits are those of coordinates in it.
+/// A SparseGrid with a border one cell wide; limits are those of coordinates in it.
 struct FieldView {
   const std::uint16_t* values;
   int stride;
@@ -34,9 +36,12 @@ SumKernel fastestSum();
 
 /// The value at a point; u and v in cells of the bordered table. A NaN falls on the border.
 inline std::uint16_t valueAt(const FieldView& field, float u, float v) {
+  constexpr int kInTile = SparseGrid::kTileRows - 1;
   const float column = u > 0.0F ? (u < field.max_u ? u : field.max_u) : 0.0F;
   const float row = v > 0.0F ? (v < field.max_v ? v : field.max_v) : 0.0F;
-  return field.values[static_cast<int>(row) * field.stride + static_cast<int>(column)];
+  const int y = static_cast<int>(row);
+  return field.values[(y & ~kInTile) * field.stride +
+                      static_cast<int>(column) * SparseGrid::kTileRows + (y & kInTile)];
 }
 
 }  // namespace adaptive_localization

@@ -44,27 +44,26 @@ struct Poses {
 
 ScoreField::ScoreField(const DistanceField& field, double max_distance,
                        const std::function<double(double)>& value)
-    : lattice_(field.lattice()), stride_(field.lattice().width() + 2) {
-  const double at_zero = value(0.0);
-  const double at_max = value(max_distance);
-  low_ = std::min(at_zero, at_max);
-  step_ = std::max(std::abs(at_zero - at_max), 1e-12) / 65535.0;
+    : lattice_(field.lattice()), table_(lattice_.width() + 2, lattice_.height() + 2) {
+  at_max_ = value(max_distance);
+  const double range = value(0.0) - at_max_;
+  step_ = std::copysign(std::max(std::abs(range), 1e-12) / 65535.0, range);
 
-  std::vector<std::uint16_t> by_distance(65536);
-  for (std::size_t d = 0; d < by_distance.size(); ++d) {
-    const double distance = static_cast<double>(d) * field.metresPerStep();
-    const double level = distance < max_distance ? value(distance) : at_max;
-    by_distance[d] = static_cast<std::uint16_t>(std::lround((level - low_) / step_));
+  const int reach = field.reachInSteps();
+  std::vector<std::uint16_t> by_nearness(static_cast<std::size_t>(reach) + 1);
+  for (int d = 0; d < reach; ++d) {
+    const double distance = d * field.metresPerStep();
+    const double level = distance < max_distance ? value(distance) : at_max_;
+    by_nearness[static_cast<std::size_t>(reach - d)] =
+        static_cast<std::uint16_t>(std::lround((level - at_max_) / step_));
   }
 
-  const auto rows = static_cast<std::size_t>(lattice_.height());
-  const auto columns = static_cast<std::size_t>(lattice_.width());
-  const auto stride = static_cast<std::size_t>(stride_);
-  table_.assign(stride * (rows + 2) + 1, by_distance.back());
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::transform(field.steps().data() + row * columns, field.steps().data() + (row + 1) * columns,
-                   table_.data() + (row + 1) * stride + 1,
-                   [&](std::uint16_t d) { return by_distance[d]; });
+  const SparseGrid& nearness = field.nearness();
+  for (std::size_t tile = 0; tile < nearness.tiles(); ++tile) {
+    if (!nearness.isWritten(tile)) continue;
+    const std::uint16_t* near = nearness.tile(tile);
+    std::transform(near, near + SparseGrid::kTileSize, table_.write(tile),
+                   [&](std::uint16_t n) { return by_nearness[n]; });
   }
 }
 
@@ -74,7 +73,8 @@ void ScoreField::sum(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const Par
   const Eigen::ArrayXf hit_x = x * per_metre;
   const Eigen::ArrayXf hit_y = y * per_metre;
   const int hits = static_cast<int>(std::min<Eigen::Index>(x.size(), kMaxHits));
-  const FieldView view{table_.data(), stride_, static_cast<float>(lattice_.width()) + 1.5F,
+  const FieldView view{table_.values(), table_.stride(),
+                       static_cast<float>(lattice_.width()) + 1.5F,
                        static_cast<float>(lattice_.height()) + 1.5F};
   parallelFor(static_cast<std::size_t>(particles.size()), kChunk, [&](const Chunk& chunk) {
     const Poses poses(lattice_, particles, chunk);
@@ -82,7 +82,7 @@ void ScoreField::sum(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const Par
     const std::size_t count = chunk.end - chunk.begin;
     sum_kernel(view, poses.columns(), 0, count, hit_x.data(), hit_y.data(), hits, steps.data());
     for (std::size_t k = 0; k < count; ++k) {
-      sums[static_cast<Eigen::Index>(chunk.begin + k)] = low_ * hits + step_ * steps[k];
+      sums[static_cast<Eigen::Index>(chunk.begin + k)] = at_max_ * hits + step_ * steps[k];
     }
   });
 }

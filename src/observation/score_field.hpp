@@ -2,9 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/scan.hpp"
@@ -13,14 +11,14 @@
 namespace adaptive_localization {
 
 /// A function of the distance to the nearest obstacle, tabulated over the map with 16 bits per
-/// cell, and its sum over the hits of a scan for many poses at once.
+/// cell where that is near enough, and its sum over the hits of a scan for many poses at once.
 ///
 /// The sum is one of whole numbers, so it does not depend on its order: scalar code, AVX2 code and
 /// any number of threads give the same bits.
 class ScoreField {
  public:
-  /// value(distance in metres) must be monotone; distances above max_distance count as
-  /// max_distance, and so does everything outside the map.
+  /// value(distance in metres) must be monotone; distances above max_distance, or above the reach
+  /// of the distance field, count as max_distance, and so does everything outside the map.
   ScoreField(const DistanceField& field, double max_distance,
              const std::function<double(double)>& value);
 
@@ -40,10 +38,9 @@ class ScoreField {
 
  private:
   Lattice lattice_;
-  double low_;
-  double step_;
-  int stride_;                        // columns of the table, with a border on both sides
-  std::vector<std::uint16_t> table_;  // padded by one border cell and one value for wide loads
+  double at_max_;
+  double step_;       // of the value, from at_max_ on
+  SparseGrid table_;  // with a border of one cell
 };
 
 }  // namespace adaptive_localization

@@ -15,7 +15,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::uint32_t kNoCell = 0xFFFFFFFF;
-constexpr double kPlanesMemory = 64e6;  // bytes, while a table is being made
+constexpr double kPlanesMemory = 16e6;  // bytes, while a table is being made
 
 /// Cells of a box whose lattice indices are divisible by the spacing, as a lattice of their own.
 class SpacedBox {

@@ -45,22 +45,28 @@ LineStep stepAfter(int t, double slope, double start, double length) {
   return step;
 }
 
+/// How far is seen where an obstacle would be entered after some way.
+inline __attribute__((always_inline)) float until(std::uint8_t obstacle, float way) {
+  return obstacle != 0 ? way : kFree;
+}
+
 /// What is seen from the cells of a line, from what is seen from those of the next.
-inline __attribute__((always_inline)) void stepBackBody(const LineStep& step, const float* here,
-                                                        const float* next, const float* seen,
+inline __attribute__((always_inline)) void stepBackBody(const LineStep& step,
+                                                        const std::uint8_t* here,
+                                                        const std::uint8_t* next, const float* seen,
                                                         int length, float* result) {
-  const float* ahead = next + step.shift;
+  const std::uint8_t* ahead = next + step.shift;
   const float* seen_ahead = seen + step.shift;
   if (step.shift == 0) {
     for (int v = 0; v < length; ++v) {
-      result[v] = std::min(seen_ahead[v] + step.length, std::max(ahead[v], step.to_next));
+      result[v] = std::min(seen_ahead[v] + step.length, until(ahead[v], step.to_next));
     }
     return;
   }
-  const float* side = step.side_is_on_this_line ? here + step.shift : next;
+  const std::uint8_t* side = step.side_is_on_this_line ? here + step.shift : next;
   for (int v = 0; v < length; ++v) {
-    const float far = std::min(seen_ahead[v] + step.length, std::max(ahead[v], step.to_next));
-    result[v] = std::min(far, std::max(side[v], step.to_side));
+    const float far = std::min(seen_ahead[v] + step.length, until(ahead[v], step.to_next));
+    result[v] = std::min(far, until(side[v], step.to_side));
   }
 }
 
@@ -73,11 +79,12 @@ inline __attribute__((always_inline)) void roundBody(const float* seen, int leng
   }
 }
 
-using StepBack = void (*)(const LineStep&, const float*, const float*, const float*, int, float*);
+using StepBack = void (*)(const LineStep&, const std::uint8_t*, const std::uint8_t*, const float*,
+                          int, float*);
 using Round = void (*)(const float*, int, float, float, std::uint8_t*);
 
-void stepBackPortable(const LineStep& step, const float* here, const float* next, const float* seen,
-                      int length, float* result) {
+void stepBackPortable(const LineStep& step, const std::uint8_t* here, const std::uint8_t* next,
+                      const float* seen, int length, float* result) {
   stepBackBody(step, here, next, seen, length, result);
 }
 void roundPortable(const float* seen, int length, float inside, float scale, std::uint8_t* steps) {
@@ -85,9 +92,9 @@ void roundPortable(const float* seen, int length, float inside, float scale, std
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void stepBackAvx2(const LineStep& step, const float* here,
-                                                  const float* next, const float* seen, int length,
-                                                  float* result) {
+__attribute__((target("avx2"))) void stepBackAvx2(const LineStep& step, const std::uint8_t* here,
+                                                  const std::uint8_t* next, const float* seen,
+                                                  int length, float* result) {
   stepBackBody(step, here, next, seen, length, result);
 }
 __attribute__((target("avx2"))) void roundAvx2(const float* seen, int length, float inside,
@@ -182,13 +189,13 @@ SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are
   result.lines = lines_are_columns ? box.width : box.height;
   result.length = lines_are_columns ? box.height : box.width;
   const auto pitch = static_cast<std::size_t>(result.length + 2);
-  result.obstacle.assign(static_cast<std::size_t>(result.lines) * pitch, kFree);
+  result.obstacle.assign(static_cast<std::size_t>(result.lines) * pitch, 0);
   for (int y = 0; y < box.height; ++y) {
     for (int x = 0; x < box.width; ++x) {
       if (!map.isOccupied({box.x + x, box.y + y})) continue;
       const auto u = static_cast<std::size_t>(lines_are_columns ? x : y);
       const auto v = static_cast<std::size_t>(lines_are_columns ? y : x);
-      result.obstacle[u * pitch + 1 + v] = 0.0F;
+      result.obstacle[u * pitch + 1 + v] = 1;
     }
   }
   return result;

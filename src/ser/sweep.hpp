@@ -22,11 +22,11 @@ CellBox knownCells(const OccupancyGrid& map);
 /// A box of the map as sweeps read it: lines of cells along v, one for each u, with a border of one
 /// free cell at both ends.
 struct SweepMap {
-  int lines;                    // number of u
-  int length;                   // number of v
-  std::vector<float> obstacle;  // [line][1 + v]: 0 where there is one, else infinite
+  int lines;                           // number of u
+  int length;                          // number of v
+  std::vector<std::uint8_t> obstacle;  // [line][1 + v]: 1 where there is one, else 0
 
-  const float* line(int u) const {
+  const std::uint8_t* line(int u) const {
     return obstacle.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(length + 2) + 1;
   }
 };

@@ -32,14 +32,13 @@ double FieldObjective::costAt(const Pose2& T_map_base) const {
   const double x = pose.x / lattice.resolution(), y = pose.y / lattice.resolution();
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
   const double width = lattice.width(), height = lattice.height();
-  const std::uint16_t* steps = field_->steps().data();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < hits_.cols(); ++k) {
     const double u = x + c * hits_(0, k) - s * hits_(1, k);
     const double v = y + s * hits_(0, k) + c * hits_(1, k);
     const bool is_inside = u >= 0.0 && v >= 0.0 && u < width && v < height;
     sum += is_inside
-               ? std::min<double>(steps[lattice.index({static_cast<int>(u), static_cast<int>(v)})],
+               ? std::min<double>(field_->stepsTo({static_cast<int>(u), static_cast<int>(v)}),
                                   truncation_)
                : truncation_;
   }

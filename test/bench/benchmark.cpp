@@ -10,9 +10,9 @@
 #include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
-#include "heap_meter.hpp"
 #include "measure.hpp"
 #include "plain_field.hpp"
+#include "support/resident_memory.hpp"
 #include "toy_building.hpp"
 
 namespace adaptive_localization {
@@ -95,14 +95,14 @@ void distanceField(benchmark::State& state, int side) {
   for (auto _ : state) benchmark::DoNotOptimize(DistanceField(*map));
   countItems(state, static_cast<std::int64_t>(map->lattice().size()));
 
-  const HeapMeter heap;  // what a running filter holds for each cell of the map
+  const double before = residentMegabytes();  // what a running filter holds for each cell
   const FilterContext context = contextFor(toyBuilding(side));
   const auto model =
       makeObservationModel(builtins().observations, {}, context.ground.map, context.ground.field);
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(1);
   model->score(observe(map, kTruth, 60), Particles(1), log_likelihood);
   state.counters["bytes_per_cell"] =
-      static_cast<double>(heap.grown()) / static_cast<double>(map->lattice().size());
+      1e6 * (residentMegabytes() - before) / static_cast<double>(map->lattice().size());
 }
 
 void rayCast(benchmark::State& state) {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "support/random_grid.hpp"
 #include "support/toy_world.hpp"
@@ -46,7 +49,8 @@ TEST(DistanceField, IsTheBruteForceDistanceOnRandomGrids) {
     for (std::size_t i = 0; i < lattice.size(); ++i) {
       const double expected = bruteForce(*grid, lattice.cell(i));
       if (expected > 1e6) continue;  // no obstacle at all
-      ASSERT_NEAR(field.at(lattice.cell(i)), expected, 0.51 * field.metresPerStep());
+      ASSERT_NEAR(field.at(lattice.cell(i)), std::min(expected, field.reach()),
+                  0.51 * field.metresPerStep());
     }
   }
 }
@@ -61,23 +65,49 @@ TEST(DistanceField, WallsHaveADepthAndRockHasNone) {
   EXPECT_NEAR(rock.at(Cell{3, 3}), 0.3, 0.01);
 }
 
-TEST(DistanceField, IsSaturatedWithoutObstaclesAndOutside) {
+TEST(DistanceField, IsAtItsReachWithoutObstaclesAndOutside) {
   const DistanceField empty(*toyWorld({"..", ".?"}, 0.1));
-  const double far = 65535 * empty.metresPerStep();
-  EXPECT_DOUBLE_EQ(empty.at(Cell{1, 1}), far);
+  EXPECT_DOUBLE_EQ(empty.reach(), 5.0);
+  EXPECT_DOUBLE_EQ(empty.at(Cell{1, 1}), 5.0);
   const DistanceField full(*toyWorld({"##", "##"}, 0.1));
   EXPECT_EQ(full.at(Cell{1, 1}), 0.0);
-  EXPECT_DOUBLE_EQ(full.at(Cell{2, 1}), far);
-  EXPECT_DOUBLE_EQ(full.at(Eigen::Vector2d(std::nan(""), 0.0)), far);
+  EXPECT_DOUBLE_EQ(full.at(Cell{2, 1}), 5.0);
+  EXPECT_DOUBLE_EQ(full.at(Eigen::Vector2d(std::nan(""), 0.0)), 5.0);
 }
 
-TEST(DistanceField, SaturatesInsteadOfOverflowing) {
-  const Lattice lattice(3000, 1, 1.0, {});
+TEST(DistanceField, ReachesSixteenCellsOfCoarseMapsAndAThousandOfFineOnes) {
+  for (const auto& [resolution, reach] : {std::pair{1.0, 16.0}, {0.001, 1.023}}) {
+    std::vector<std::int8_t> cells(3000, OccupancyGrid::kFree);
+    cells[0] = OccupancyGrid::kOccupied;
+    const DistanceField field(OccupancyGrid(Lattice(3000, 1, resolution, {}), cells));
+    EXPECT_DOUBLE_EQ(field.reach(), reach);
+    EXPECT_DOUBLE_EQ(field.at(Cell{15, 0}), 15 * resolution);
+    EXPECT_DOUBLE_EQ(field.at(Cell{2999, 0}), reach);
+  }
+}
+
+/// Blocks, and tiles within them, are made for themselves.
+TEST(DistanceField, IsTheSameAcrossBlocks) {
+  Rng rng(2);
+  const Lattice lattice(1100, 530, 0.25, {});  // reaches 20 cells
   std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kFree);
-  cells[0] = OccupancyGrid::kOccupied;
-  const DistanceField field(OccupancyGrid(lattice, cells));
-  EXPECT_DOUBLE_EQ(field.at(Cell{1000, 0}), 1000.0);
-  EXPECT_NEAR(field.at(Cell{2999, 0}), 1024.0, 0.1);
+  std::vector<Cell> walls;
+  for (int i = 0; i < 300; ++i) {
+    walls.push_back({static_cast<int>(rng.below(1100)), static_cast<int>(rng.below(530))});
+    cells[lattice.index(walls.back())] = OccupancyGrid::kOccupied;
+  }
+  const DistanceField field(OccupancyGrid(lattice, std::move(cells)));
+  int near = 0;
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const Cell cell = lattice.cell(i);
+    double nearest = 20.0;
+    for (const Cell& wall : walls) {
+      nearest = std::min(nearest, std::hypot(wall.x - cell.x, wall.y - cell.y));
+    }
+    ASSERT_NEAR(field.cellsTo(cell), nearest, 0.51 / 64.0) << cell.x << ", " << cell.y;
+    near += nearest < 20.0 ? 1 : 0;
+  }
+  EXPECT_GT(near, 200000);
 }
 
 TEST(DistanceField, IsLookedUpByPointsOfATurnedMap) {
@@ -100,8 +130,8 @@ TEST(DistanceField, RunsStraightBetweenTheCentresOfCells) {
   for (const double share : {0.499, 0.501}) {  // where the nearest cell changes
     EXPECT_NEAR(field.between(towards(share)), 1.5 - 0.5 * share, 1e-9) << share;
   }
-  EXPECT_GT(field.between({-50.0, 0.0}), 100.0) << "outside";
-  EXPECT_GT(field.between({std::nan(""), 0.0}), 100.0);
+  EXPECT_DOUBLE_EQ(field.between({-50.0, 0.0}), field.reach()) << "outside";
+  EXPECT_DOUBLE_EQ(field.between({std::nan(""), 0.0}), field.reach());
 }
 
 }  // namespace

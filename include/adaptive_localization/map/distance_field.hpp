@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "adaptive_localization/core/stop_token.hpp"
 #include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
+#include "adaptive_localization/map/sparse_grid.hpp"
 
 namespace adaptive_localization {
 
@@ -14,25 +12,31 @@ namespace adaptive_localization {
 /// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
 /// down to kWallDepth below their faces: where a map was made inexactly they are thick, and a laser
 /// sees what is in their middle. Deeper is no wall: all of a scan would fit into the rock around a
-/// small room. Two bytes per cell: steps of 1/64 cell, saturating at 1023 cells; a map without
-/// obstacles is saturated everywhere.
+/// small room.
+///
+/// Distances end at a reach of 5 m, or of 16 cells where that is more, or 1023 where that is less:
+/// what is farther from any wall, or outside the map, is at the reach and takes no memory. Steps of
+/// 1/64 cell, two bytes per cell within reach.
 class DistanceField {
  public:
   /// Throws Stopped.
   explicit DistanceField(const OccupancyGrid& grid, const StopToken& stop = {});
 
   const Lattice& lattice() const { return lattice_; }
+  double reach() const { return step_ * reach_; }  // m
 
-  /// Metres; the saturation distance outside the map.
+  /// Metres.
   double at(const Cell& cell) const {
-    return step_ * (lattice_.contains(cell) ? steps_[lattice_.index(cell)] : kFar);
+    return step_ * (lattice_.contains(cell) ? stepsTo(cell) : reach_);
   }
   double at(const Eigen::Vector2d& point_map) const { return at(lattice_.cellAt(point_map)); }
 
   /// The same, as cells; the cell must be on the lattice.
-  double cellsTo(const Cell& cell) const {
-    return steps_[lattice_.index(cell)] * (1.0 / kStepsPerCell);
-  }
+  double cellsTo(const Cell& cell) const { return stepsTo(cell) * (1.0 / kStepsPerCell); }
+
+  /// The same, as steps.
+  int stepsTo(const Cell& cell) const { return reach_ - nearness_.at(cell.x + 1, cell.y + 1); }
+  double metresPerStep() const { return step_; }
 
   /// Metres between the four centres around a point, so that it does not jump where cells meet.
   double between(const Eigen::Vector2d& point_map) const;
@@ -45,20 +49,20 @@ class DistanceField {
   /// Of the map that it was made from.
   const MapQuality& quality() const { return quality_; }
 
-  /// The stored steps, row-major, and how many metres one is.
-  const std::vector<std::uint16_t>& steps() const { return steps_; }
-  double metresPerStep() const { return step_; }
+  /// How many steps nearer than the reach each cell is, with a border of one cell that is not.
+  const SparseGrid& nearness() const { return nearness_; }
+  int reachInSteps() const { return reach_; }
 
  private:
   static constexpr int kStepsPerCell = 64;
-  static constexpr std::uint16_t kFar = 65535;
 
   double stepsBetween(double x, double y) const;
 
   Lattice lattice_;
   double step_;
+  int reach_;  // steps
   MapQuality quality_;
-  std::vector<std::uint16_t> steps_;
+  SparseGrid nearness_;
 };
 
 }  // namespace adaptive_localization
