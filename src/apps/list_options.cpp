@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints every option there is, as tables for the README or as a parameter file of one core.
+// Prints every option there is, as tables for doc/options.md or as a parameter file of one core.
 #include <algorithm>
 #include <cmath>
 #include <exception>

@@ -17,6 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr auto kAdvice = "run scripts/update_docs";
+constexpr auto kOptionsPage = "doc/options.md";
 
 std::string outputOf(const std::string& arguments) {
   const std::string command = std::string(LIST_OPTIONS) + " " + arguments + " 2>&1";
@@ -47,34 +48,34 @@ void forEachPreset(const Check& check) {
 
 }  // namespace
 
-TEST(Documents, ReadmeHoldsTheTablesOfOptions) {
+TEST(Documents, OptionsPageHoldsTheTables) {
   const std::string tables = outputOf("");
   ASSERT_THAT(tables, HasSubstr("`laser_max_beams`"));
-  const std::string readme = contentsOf("README.md");
-  EXPECT_NE(readme.find("<!-- options -->\n" + tables + "<!-- end of options -->"),
+  const std::string page = contentsOf(kOptionsPage);
+  EXPECT_NE(page.find("<!-- options -->\n" + tables + "<!-- end of options -->"),
             std::string::npos)
       << kAdvice;
 }
 
-TEST(Documents, ReadmeTellsOfEveryOption) {
+TEST(Documents, OptionsPageHasEveryOption) {
   const auto cell =
       std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
-  const std::string readme = contentsOf("README.md");
+  const std::string page = contentsOf(kOptionsPage);
   const auto options = Localizer({}, cell).allOptions();
   EXPECT_GT(options.size(), 100U);
   for (const auto& option : options) {
-    EXPECT_NE(readme.find("| `" + option.key + "` |"), std::string::npos)
+    EXPECT_NE(page.find("| `" + option.key + "` |"), std::string::npos)
         << option.key << " is in no table of list_options";
   }
 }
 
-TEST(Documents, ReadmeTellsWhatTheDefaultCoreRunsWith) {
+TEST(Documents, OptionsPageHasTheValuesOfTheDefaultCore) {
   const auto cell =
       std::make_shared<const OccupancyGrid>(Lattice(1, 1, 1.0, {}), std::vector<std::int8_t>{0});
-  const std::string readme = contentsOf("README.md");
+  const std::string page = contentsOf(kOptionsPage);
   for (const auto& option : Localizer({}, cell).effectiveOptions()) {
     if (!std::holds_alternative<bool>(option.value)) continue;
-    EXPECT_NE(readme.find("| `" + option.key + "` | " + toText(option.value) + " |"),
+    EXPECT_NE(page.find("| `" + option.key + "` | " + toText(option.value) + " |"),
               std::string::npos)
         << option.key << ": " << kAdvice;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who may include whom. The README draws it; this reads the sources.
+// Who may include whom. doc/how_it_works.md draws it; this reads the sources.
 #include <gmock/gmock.h>
 
 #include <algorithm>
