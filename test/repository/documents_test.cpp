@@ -52,8 +52,7 @@ TEST(Documents, OptionsPageHoldsTheTables) {
   const std::string tables = outputOf("");
   ASSERT_THAT(tables, HasSubstr("`laser_max_beams`"));
   const std::string page = contentsOf(kOptionsPage);
-  EXPECT_NE(page.find("<!-- options -->\n" + tables + "<!-- end of options -->"),
-            std::string::npos)
+  EXPECT_NE(page.find("<!-- options -->\n" + tables + "<!-- end of options -->"), std::string::npos)
       << kAdvice;
 }
 
