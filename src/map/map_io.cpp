@@ -3,8 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -136,20 +138,29 @@ std::int8_t toCell(double brightness, int alpha, const MapFile& map) {
   return static_cast<std::int8_t>(1.0 + 98.0 * (occupancy - map.free_thresh) / range);
 }
 
-/// The image's top row is the map's last. In trinary mode alpha counts as one more channel.
-std::vector<std::int8_t> toCells(const cv::Mat& image, const MapFile& map) {
-  const int channels = image.channels();
+/// One pixel of several channels. In trinary mode alpha counts as one more.
+std::int8_t toCell(const unsigned char* pixel, int channels, const MapFile& map) {
   const bool has_alpha = channels == 2 || channels == 4;
   const int averaged = has_alpha && map.mode != Mode::kTrinary ? channels - 1 : channels;
+  const int sum = std::accumulate(pixel, pixel + averaged, 0);
+  const int alpha = has_alpha ? pixel[channels - 1] : 255;
+  return toCell(static_cast<double>(sum) / averaged, alpha, map);
+}
+
+/// The image's top row is the map's last.
+std::vector<std::int8_t> toCells(const cv::Mat& image, const MapFile& map) {
+  const int channels = image.channels();
+  std::array<std::int8_t, 256> of_grey;
+  for (int grey = 0; grey < 256; ++grey) {
+    of_grey[static_cast<std::size_t>(grey)] = toCell(grey, 255, map);
+  }
   std::vector<std::int8_t> cells;
   cells.reserve(image.total());
   for (int row = image.rows - 1; row >= 0; --row) {
     const unsigned char* pixel = image.ptr<unsigned char>(row);
-    for (int column = 0; column < image.cols; ++column, pixel += channels) {
-      int sum = 0;
-      for (int c = 0; c < averaged; ++c) sum += pixel[c];
-      const int alpha = has_alpha ? pixel[channels - 1] : 255;
-      cells.push_back(toCell(static_cast<double>(sum) / averaged, alpha, map));
+    const unsigned char* end = pixel + image.cols * channels;
+    for (; pixel != end; pixel += channels) {
+      cells.push_back(channels == 1 ? of_grey[*pixel] : toCell(pixel, channels, map));
     }
   }
   return cells;

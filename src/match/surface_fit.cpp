@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "adaptive_localization/map/sparse_grid.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -79,7 +81,7 @@ struct Scatter {
 
 class Fitter {
  public:
-  Fitter(const OccupancyGrid& grid, const std::vector<Side>& sides) : grid_(grid), sides_(sides) {}
+  Fitter(const OccupancyGrid& grid, const SparseGrid& sides) : grid_(grid), sides_(sides) {}
 
   /// The line through the cells around one; none where they make no line.
   std::optional<Surface> fit(const Cell& cell) const {
@@ -89,7 +91,7 @@ class Fitter {
     solver.computeDirect(scatter.covariance());
     const Eigen::Vector2d across = solver.eigenvectors().col(0);
     if (solver.eigenvalues()[0] > kRoughness * solver.eigenvalues()[1]) return std::nullopt;
-    const Side side = sides_[grid_.lattice().index(cell)];
+    const Side side = sideAt(cell);
     const double towards = across.dot(directionOf(side));
     const Eigen::Vector2d normal = towards < 0.0 ? Eigen::Vector2d(-across) : across;
     const Eigen::Vector2d offset = across.dot(scatter.mean()) * across;  // of the line's foot
@@ -104,32 +106,35 @@ class Fitter {
  private:
   Scatter scatterAround(const Cell& cell) const {
     Scatter scatter;
-    const Side side = sides_[grid_.lattice().index(cell)];
+    const Side side = sideAt(cell);
     for (int dy = -kReach; dy <= kReach; ++dy) {
       for (int dx = -kReach; dx <= kReach; ++dx) {
         const Cell other{cell.x + dx, cell.y + dy};
         if (!grid_.lattice().contains(other)) continue;
-        if (areOfOneSide(side, sides_[grid_.lattice().index(other)])) scatter.add({dx, dy});
+        if (areOfOneSide(side, sideAt(other))) scatter.add({dx, dy});
       }
     }
     return scatter;
   }
 
+  Side sideAt(const Cell& cell) const { return static_cast<Side>(sides_.at(cell.x, cell.y)); }
+
   const OccupancyGrid& grid_;
-  const std::vector<Side>& sides_;
+  const SparseGrid& sides_;
 };
 
 }  // namespace
 
 std::vector<FittedSurface> fitSurfaces(const OccupancyGrid& grid) {
   const Lattice& lattice = grid.lattice();
-  std::vector<Side> sides(lattice.size());
+  SparseGrid sides(lattice.width(), lattice.height());
   std::vector<Cell> visible;
   for (int y = 0; y < lattice.height(); ++y) {
     for (int x = 0; x < lattice.width(); ++x) {
       const Side side = sideOf(grid, {x, y});
-      sides[lattice.index({x, y})] = side;
-      if (side > 0) visible.push_back({x, y});
+      if (side == 0) continue;
+      sides.set(x, y, side);
+      visible.push_back({x, y});
     }
   }
   const Fitter fitter(grid, sides);

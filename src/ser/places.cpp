@@ -136,7 +136,7 @@ void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
   const Pose2 motion = between(T_odom_base_, T_odom_base);
   T_odom_base_ = T_odom_base;
   way_ += std::hypot(motion.x, motion.y) + std::abs(motion.theta);
-  work_left_ = work;
+  work_ = work_left_ = work;
   if (!question_) return;
   if (!(way_ < kStale)) {
     question_.reset();
@@ -162,9 +162,11 @@ std::optional<std::vector<Place>> Places::search(const Observations& observation
   if (isSame(question_->observations, observations)) {
     found_ = search.places();
   } else {
+    const SearchWork after = search.workAfter();
+    if (after > work_left_ && work_left_ < work_) return std::nullopt;  // the next update's work
     const Pose2 motion = between(question_->T_odom_base, T_odom_base_);
     found_ = search.placesAfter(motion, observations.scan);
-    work_left_ -= search.workAfter();
+    work_left_ -= after;
     asked_before_ = Asked{std::move(question_->observations), search.places(), motion};
   }
   question_.reset();

@@ -116,7 +116,8 @@ class Places {
   std::set<std::string> said_;            // all warnings
   Pose2 T_odom_base_;                     // at this update
   double way_{0.0};                       // m or rad, since the question
-  SearchWork work_left_{kUnlimitedWork};  // in this update
+  SearchWork work_{kUnlimitedWork};       // of this update
+  SearchWork work_left_{kUnlimitedWork};  // of that
   std::optional<Question> question_;
   std::optional<Observations> searched_;  // what found_ is the answer to
   std::vector<Place> found_;
