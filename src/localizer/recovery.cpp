@@ -87,6 +87,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     return conclude();
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
+  if (is_settled_) waited_ = in_doubt_ ? waited_ + 1 : 0;
   const double error = errorAt(T_map_base, observations);
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
@@ -115,12 +116,17 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   }
   if (!is_settled_) {
     race(T_map_base, error, observations);
-    if (is_settled_ && unexplained_ > 0) {
-      usual_.observe(error);
-      pace_.findNothingBetter(error);
-    }
+    if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   }
   conclude();
+}
+
+/// The scan is as usual as it is unexplained, and so are those that came while others were searched
+/// for.
+void Recovery::findNothingBetter(double error) {
+  const int scans = std::min(unexplained_, waited_ + 1);
+  for (int i = 0; i < scans; ++i) usual_.observe(error);
+  pace_.findNothingBetter(error);
 }
 
 bool Recovery::isUnverified(const Observations& observations) const {

@@ -109,6 +109,7 @@ class Recovery {
   bool isAnswered(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;
+  void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);
@@ -133,7 +134,8 @@ class Recovery {
   bool scan_fits_{false};            // the core's place, as well as is usual
   bool is_settled_{true};            // there is one place, the core's,
   std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
-  Hypotheses doubted_;               // the same place, as scans show it
+  Hypotheses doubted_;               // the same place, as scans show it,
+  int waited_{0};                    // so many scans long
   bool is_unchecked_{false};         // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
