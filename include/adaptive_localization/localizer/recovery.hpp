@@ -80,6 +80,9 @@ class Recovery {
   const Confidence& fit() const { return confidence_; }
   const Senses& senses() const { return senses_; }
 
+  /// The mean range error that is usual where the robot is.
+  const UsualError& usual() const { return usual_; }
+
   /// That the robot is where published() has it, [0, 1]: nothing if that is away from the core's
   /// place and from all others that are left.
   double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
