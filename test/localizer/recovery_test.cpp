@@ -425,15 +425,15 @@ TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));
 }
 
-/// What is usual, m, after a drive on a map that lacks much of what the laser sees, where every
-/// second update may search for so much.
+/// What is usual, m, after a drive on a map that lacks much of what the laser sees, where two of
+/// three updates may search for so much.
 double usualAfterADrive(SearchWork work) {
   Watched watched(asymmetricWorld());
   const Pose2 motion{0.1, 0.0, 0.0};
   Pose2 truth{1.0, 2.2, 0.0}, odometry;
   watched.tell(truth);
   for (int i = 0; i < 60; ++i) {
-    watched.places().beginUpdate(odometry, i % 2 == 0 ? kUnlimitedWork : work);
+    watched.places().beginUpdate(odometry, i % 3 == 0 ? kUnlimitedWork : work);
     Observations seen = watched.laser.observe(watched.map, truth);
     Scan& scan = seen.scan;
     for (Eigen::Index k = i % 3; k < scan.range.size(); k += 3) {
@@ -449,7 +449,8 @@ double usualAfterADrive(SearchWork work) {
   return watched.recovery.usual().value();
 }
 
-/// No place explains the scans better, and that is learned as soon where a search takes two scans.
+/// No place explains the scans better, and that is learned as soon where a search takes three
+/// scans.
 TEST(Recovery, ScansThatWaitForASearchTellWhatIsUsual) {
   const double at_once = usualAfterADrive(kUnlimitedWork);
   EXPECT_GT(at_once, 0.06);
