@@ -244,7 +244,8 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
     if (!hypothesis.is_due) continue;
-    const double worth = hypothesis.is_new ? 1.0 : hypothesis.share;
+    const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
+    const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
     for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
       const double by_sense = told(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));

@@ -12,6 +12,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kUnfit = 0.3;  // m, of a scan that tells of no place
+constexpr double kWell = 0.1;   // m, of one that tells of its place, whatever was before
 constexpr int kSpurious = 2;    // updates in a row that sightings of no landmark can explain
 
 }  // namespace
@@ -87,10 +88,13 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     return conclude();
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
-  if (is_settled_) waited_ = in_doubt_ ? waited_ + 1 : 0;
   const double error = errorAt(T_map_base, observations);
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
+  if (is_settled_) {
+    waited_ = in_doubt_ ? waited_ + 1 : 0;
+    misfits_ = (in_doubt_ ? misfits_ : 0) + (scan_fits_ ? 0 : 1);
+  }
   if (unexplained_ == 1) ground_.places->askAnew();
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
@@ -101,7 +105,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     }
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
-    if (status_ == Status::kTracking && !in_doubt_) odds_.earn(motion);
+    const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
+    if (is_tracked || (is_settled_ && error < kWell)) odds_.earn(motion);
     const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
     if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion);
   }

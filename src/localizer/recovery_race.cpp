@@ -47,7 +47,8 @@ void Recovery::openDoubted(const Observations& observations) {
   if (!asked) return open(T_map_now);
   open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
-  hypotheses_.weigh(withoutCover(asked->observations), 1.0, usual_.value());
+  const double share = std::max(1, misfits_) / (waited_ + 1.0);
+  hypotheses_.weigh(withoutCover(asked->observations), share, usual_.value());
   hypotheses_.prune();
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);

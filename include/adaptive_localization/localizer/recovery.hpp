@@ -138,7 +138,7 @@ class Recovery {
   bool is_settled_{true};            // there is one place, the core's,
   std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
   Hypotheses doubted_;               // the same place, as scans show it,
-  int waited_{0};                    // so many scans long
+  int waited_{0}, misfits_{0};       // so many scans long, so many of them unexplained
   bool is_unchecked_{false};         // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
