@@ -108,7 +108,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
     if (is_tracked || (is_settled_ && error < kWell)) odds_.earn(motion);
     const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
-    if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion);
+    if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion, error > kUnfit);
   }
   if (in_doubt_ && observations.scan.hits() > 0) {
     doubted_.note(T_map_base);
@@ -127,9 +127,10 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
 }
 
 /// The scan is as usual as it is unexplained, and so are those that came while others were searched
-/// for.
+/// for, unless the robot may be lost.
 void Recovery::findNothingBetter(double error) {
-  const int scans = std::min(unexplained_, waited_ + 1);
+  const bool is_tracked = status_ == Status::kTracking;
+  const int scans = is_tracked ? std::min(unexplained_, waited_ + 1) : 1;
   for (int i = 0; i < scans; ++i) usual_.observe(error);
   pace_.findNothingBetter(error);
 }

@@ -37,10 +37,9 @@ double FieldObjective::costAt(const Pose2& T_map_base) const {
     const double u = x + c * hits_(0, k) - s * hits_(1, k);
     const double v = y + s * hits_(0, k) + c * hits_(1, k);
     const bool is_inside = u >= 0.0 && v >= 0.0 && u < width && v < height;
-    sum += is_inside
-               ? std::min<double>(field_->stepsTo({static_cast<int>(u), static_cast<int>(v)}),
-                                  truncation_)
-               : truncation_;
+    sum += is_inside ? std::min<double>(field_->stepsTo({static_cast<int>(u), static_cast<int>(v)}),
+                                        truncation_)
+                     : truncation_;
   }
   return sum * field_->metresPerStep() / std::max<double>(1.0, static_cast<double>(hits_.cols()));
 }

@@ -58,6 +58,8 @@ TEST(TrackingOdds, AreSpentByTheWayOfALostRobot) {
   EXPECT_FALSE(odds.areSpent());
   odds.loseWay({1.0, 0.0, 2.0});  // a turn is no way
   EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(true).value() - 1.0);
+  odds.loseWay({1.0, 0.0, 0.0}, true);  // scans hardly fit
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(true).value() - 3.0);
   for (int i = 0; i < 10; ++i) odds.loseWay({1.0, 0.0, 0.0});
   EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(false).value());  // what a search would tell
   EXPECT_TRUE(odds.areSpent());

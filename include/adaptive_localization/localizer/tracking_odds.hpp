@@ -32,8 +32,10 @@ class TrackingOdds {
     value_ = std::max(value_, std::min(kMost, earned));
   }
 
-  void loseWay(const Pose2& motion) {
-    const double left = value_ - kPerMetreLost * std::hypot(motion.x, motion.y);
+  /// Twice as much where scans hardly fit.
+  void loseWay(const Pose2& motion, bool hardly_fits = false) {
+    const double lost = (hardly_fits ? 2.0 : 1.0) * kPerMetreLost;
+    const double left = value_ - lost * std::hypot(motion.x, motion.y);
     value_ = std::max(std::min(value_, kFound), left);
   }
 
