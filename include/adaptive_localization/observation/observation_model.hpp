@@ -51,7 +51,8 @@ struct ObservationOptions {
     option("laser_lambda_short", laser_lambda_short, kNotNegative, "1/m",
            "Decay of the share of short readings (beam).");
     option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
-           "Hits farther than this from any obstacle count as this far (likelihood fields).");
+           "Hits farther than this, or than 5 m, from any obstacle count as this far (likelihood "
+           "fields).");
     option("effective_beams", effective_beams, kPositive, "",
            "How many independent beams a scan is worth: beams see the same surfaces, so log "
            "likelihoods are tempered to this number (likelihood_field, beam).");
