@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -357,6 +358,30 @@ TEST(Hypotheses, APlaceIsFollowedWhereOdometryDrifts) {
   EXPECT_GT(distance(by_odometry, truth), 0.5) << "or there is nothing to follow";
   EXPECT_THAT(followed.modes().front().T_map_base, PoseNear(truth, 0.05, 0.03));
   EXPECT_TRUE(followed.waitForSome()) << "no scan was evidence";
+}
+
+/// What a scan, of which so much counts, takes from the odds of a kept place, and from those of one
+/// that is new beside the true one.
+std::pair<double, double> lostByOneScan(double share) {
+  const Pose2 other{8.0, 1.3, 2.0};
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.add(other, 20.0);
+  hypotheses.addKept(kWrong * Pose2{1.5, 0.0, 0.0}, TrackingOdds(true));
+  const auto odds = [&](const Pose2& pose) {
+    return std::log(massOf(hypotheses, pose) / massOf(hypotheses, kTruth));
+  };
+  hypotheses.weigh(seenAt(kTruth), share, 0.15);
+  return {TrackingOdds(true).value() - odds(kWrong * Pose2{1.5, 0.0, 0.0}), 20.0 - odds(other)};
+}
+
+TEST(Hypotheses, AScanCountsInFullForNewPlacesAndByItsShareForTheKeptOne) {
+  const auto [kept_half, new_half] = lostByOneScan(0.5);
+  const auto [kept_full, new_full] = lostByOneScan(1.0);
+  EXPECT_GT(kept_half, 0.5);
+  EXPECT_NEAR(kept_full, 2.0 * kept_half, 1e-6);
+  EXPECT_GT(new_half, 0.5);
+  EXPECT_NEAR(new_full, new_half, 1e-6);
 }
 
 TEST(Hypotheses, WhatASearchAlignedIsJudgedAtOnce) {
