@@ -41,12 +41,20 @@ cv::Mat notDeeper(const cv::Mat& occupied, double most) {
   return occupied & (depthOf(occupied) <= most);
 }
 
+double wallDepthInCells(const Lattice& lattice) {
+  return 1.0 + kWallDepth / lattice.resolution();
+}
+
+/// Cells, rounded up: whether one is of a wall depends on no cell that is farther from it.
+int deepestWall(const Lattice& lattice) {
+  return static_cast<int>(std::min(wallDepthInCells(lattice), 1e6)) + 1;
+}
+
 /// The cells of walls in a box of the map, 255, others 0; empty if there are none.
 cv::Mat wallsIn(const OccupancyGrid& grid, const cv::Rect& box) {
-  const double depth = 1.0 + kWallDepth / grid.lattice().resolution();
-  const int margin = static_cast<int>(std::min(depth, 1e6)) + 1;  // a deeper cell is deep here too
+  const double depth = wallDepthInCells(grid.lattice());
   const cv::Rect map(0, 0, grid.lattice().width(), grid.lattice().height());
-  const cv::Rect around = grown(box, margin) & map;
+  const cv::Rect around = grown(box, deepestWall(grid.lattice())) & map;
   const cv::Mat occupied = occupiedCells(grid, around);
   if (cv::countNonZero(occupied) == 0) return {};
   const cv::Mat walls = notDeeper(occupied, depth)(box - around.tl());
@@ -66,18 +74,53 @@ cv::Mat nearnessIn(const OccupancyGrid& grid, const cv::Rect& box, int reach, in
   return cv::Scalar(reach * steps_per_cell) - steps;  // not below 0
 }
 
-/// Writes those tiles of a block of the table, whose corner is given, in which something is not 0.
+/// Writes those tiles of a block of the table, whose corner is given, in which something is not 0,
+/// or was not.
 void write(const cv::Mat& block, const cv::Point& corner, SparseGrid& table) {
   constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
   for (int y = 0; y < block.rows; y += kRows) {
     for (int x = 0; x < block.cols; x += kColumns) {
       const cv::Mat cells = block(cv::Rect(x, y, kColumns, kRows));
-      if (cv::countNonZero(cells) == 0) continue;
-      const std::size_t first = table.index(corner.x + x, corner.y + y);
-      std::uint16_t* tile = table.write(first / SparseGrid::kTileSize);
-      cv::transpose(cells, cv::Mat(kColumns, kRows, CV_16U, tile));
+      const std::size_t number = table.index(corner.x + x, corner.y + y) / SparseGrid::kTileSize;
+      if (!table.isWritten(number) && cv::countNonZero(cells) == 0) continue;
+      cv::transpose(cells, cv::Mat(kColumns, kRows, CV_16U, table.write(number)));
     }
   }
+}
+
+/// Makes the part of the table of nearnesses that is given, in blocks; its corner is one of tiles.
+void fill(const OccupancyGrid& grid, const cv::Rect& part, int reach, int steps_per_cell,
+          const StopToken& stop, SparseGrid& table) {
+  const cv::Rect map(1, 1, grid.lattice().width(), grid.lattice().height());  // in the table
+  const int across = (part.width - 1) / kBlock + 1, down = (part.height - 1) / kBlock + 1;
+  const auto blocks = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  parallelFor(blocks, 1, [&](const Chunk& chunk) {
+    stop.check();
+    const auto number = static_cast<int>(chunk.begin);
+    const cv::Point corner =
+        part.tl() + cv::Point(number % across * kBlock, number / across * kBlock);
+    const cv::Rect block = cv::Rect(corner, cv::Size(kBlock, kBlock)) & part;
+    const cv::Rect box = block & map;
+    if (box.empty()) return;
+    const cv::Mat nearness = nearnessIn(grid, box - map.tl(), reach, steps_per_cell);
+    cv::Mat values(roundedUp(block.size()), CV_16U, cv::Scalar(0));
+    if (!nearness.empty()) nearness.copyTo(values(box - corner));
+    write(values, corner, table);
+  });
+}
+
+/// The part of the table in which patches can have changed something, from one corner of tiles to
+/// another.
+cv::Rect changedBy(const std::vector<MapPatch>& patches, const Lattice& lattice, int reach) {
+  cv::Rect changed;
+  for (const MapPatch& patch : patches) {
+    changed |= cv::Rect(patch.corner.x + 1, patch.corner.y + 1, patch.width, patch.height);
+  }
+  const cv::Rect table(0, 0, lattice.width() + 2, lattice.height() + 2);
+  const cv::Rect near = grown(changed, reach + deepestWall(lattice)) & table;
+  constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
+  const cv::Point corner(near.x / kColumns * kColumns, near.y / kRows * kRows);
+  return cv::Rect(corner, roundedUp(cv::Size(near.br() - corner))) & table;
 }
 
 }  // namespace
@@ -88,23 +131,20 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
       reach_(reachInCells(lattice_) * kStepsPerCell),
       quality_(grid),
       nearness_(lattice_.width() + 2, lattice_.height() + 2) {
-  const cv::Rect map(1, 1, lattice_.width(), lattice_.height());  // in the table
-  const int across = (map.width + 1) / kBlock + 1, down = (map.height + 1) / kBlock + 1;
-  const auto blocks = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-  parallelFor(blocks, 1, [&](const Chunk& chunk) {
-    stop.check();
-    const auto number = static_cast<int>(chunk.begin);
-    const cv::Point corner(number % across * kBlock, number / across * kBlock);
-    const cv::Rect box = cv::Rect(corner, cv::Size(kBlock, kBlock)) & map;
-    if (box.empty()) return;
-    const cv::Mat nearness =
-        nearnessIn(grid, box - map.tl(), reach_ / kStepsPerCell, kStepsPerCell);
-    if (nearness.empty()) return;
-    cv::Mat block(kBlock, kBlock, CV_16U, cv::Scalar(0));
-    nearness.copyTo(block(box - corner));
-    const cv::Size used(box.x - corner.x + box.width, box.y - corner.y + box.height);
-    write(block(cv::Rect({0, 0}, roundedUp(used))), corner, nearness_);
-  });
+  const cv::Rect table(0, 0, lattice_.width() + 2, lattice_.height() + 2);
+  fill(grid, table, reach_ / kStepsPerCell, kStepsPerCell, stop, nearness_);
+}
+
+DistanceField::DistanceField(const OccupancyGrid& grid, const DistanceField& before,
+                             const std::vector<MapPatch>& patches, const StopToken& stop)
+    : lattice_(grid.lattice()),
+      step_(before.step_),
+      reach_(before.reach_),
+      quality_(grid),
+      nearness_(before.nearness_) {
+  const int reach = reach_ / kStepsPerCell;
+  const cv::Rect part = changedBy(patches, lattice_, reach);
+  if (!part.empty()) fill(grid, part, reach, kStepsPerCell, stop, nearness_);
 }
 
 double DistanceField::between(const Eigen::Vector2d& point_map) const {

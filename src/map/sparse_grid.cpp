@@ -3,10 +3,16 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <new>
 
 namespace adaptive_localization {
 namespace {
+
+/// One page more, as one value more may be read.
+std::size_t bytesFor(std::size_t tiles) {
+  return (tiles + 1) * SparseGrid::kTileSize * sizeof(std::uint16_t);
+}
 
 std::size_t tilesFor(int cells, int side) {
   return static_cast<std::size_t>((cells + side - 1) / side);
@@ -26,8 +32,16 @@ std::uint16_t* pages(std::size_t bytes) {
 SparseGrid::SparseGrid(int columns, int rows)
     : stride_(static_cast<int>(tilesFor(columns, kTileColumns)) * kTileColumns),
       is_written_(tilesFor(columns, kTileColumns) * tilesFor(rows, kTileRows), 0) {
-  const std::size_t bytes = (is_written_.size() + 1) * kTileSize * sizeof(std::uint16_t);
-  values_ = {pages(bytes), Unmap{bytes}};
+  values_ = {pages(bytesFor(tiles())), Unmap{bytesFor(tiles())}};
+}
+
+SparseGrid::SparseGrid(const SparseGrid& other)
+    : stride_(other.stride_),
+      is_written_(other.is_written_),
+      values_(pages(bytesFor(tiles())), Unmap{bytesFor(tiles())}) {
+  for (std::size_t number = 0; number < tiles(); ++number) {
+    if (isWritten(number)) std::copy_n(other.tile(number), kTileSize, write(number));
+  }
 }
 
 void SparseGrid::Unmap::operator()(std::uint16_t* values) const {

@@ -115,6 +115,15 @@ nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid) {
   return message;
 }
 
+MapPatch toPatch(const map_msgs::OccupancyGridUpdate& message) {
+  const auto size = [](std::uint32_t cells) {
+    return cells > static_cast<std::uint32_t>(std::numeric_limits<int>::max())
+               ? -1
+               : static_cast<int>(cells);
+  };
+  return {{message.x, message.y}, size(message.width), size(message.height), message.data};
+}
+
 Pose2 toPose2(const geometry_msgs::Pose& message) {
   return {message.position.x, message.position.y, yawOf(message.orientation)};
 }

@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/Transform.h>
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/LaserScan.h>
 
@@ -33,6 +34,9 @@ sensor_msgs::LaserScan toMessage(const LaserScan& scan);
 /// think. The cells of a message that is moved are not copied.
 OccupancyGrid toGrid(nav_msgs::OccupancyGrid message, bool origin_is_cell_center = false);
 nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid);
+
+/// Not checked against any map. A size that is no int becomes -1.
+MapPatch toPatch(const map_msgs::OccupancyGridUpdate& message);
 
 /// x, y and yaw. A quaternion of zeros, as an unfilled message has, is no rotation.
 Pose2 toPose2(const geometry_msgs::Pose& message);

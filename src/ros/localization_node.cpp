@@ -48,9 +48,13 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           node, "set_map",
           [this](auto& request, auto& response) { return onSetMap(request, response); })),
       places_(node),
-      map_builder_(node, options_, [this](const Ground& map) { onMap(map); }),
-      maps_(node, options_.use_map_topic, options_.first_map_only,
-            [this](auto&& map) { return map_builder_.build(std::move(map), !localizer_); }),
+      map_builder_(
+          node, options_, [this](const Ground& map, bool is_updated) { onMap(map, is_updated); },
+          [this] { return places_.isBuilding(); }),
+      maps_(
+          node, options_.use_map_topic, options_.first_map_only,
+          [this](auto&& map) { return map_builder_.build(std::move(map), !localizer_); },
+          [this](const auto& update) { map_builder_.update(update); }),
       diagnostics_(node, options_, [this] { return health(); }),
       reconfigure_(private_node, parameter_writer_, parameters_,
                    [this](const auto& all) { return configure(all); }) {}
@@ -61,7 +65,7 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
   const auto all = allOptions(parameters);
   if (localizer_) localizer_->configure(parameters);
   if (localizer_ && haveOtherPlaces(parameters, parameters_)) {
-    const auto places = PlacesMaker::make(map_, parameters);
+    const auto places = PlacesMaker::make(map_, parameters, !is_map_updated_);
     localizer_->setMap({map_.map, map_.field, places});
     places_.use(places);
   }
@@ -71,8 +75,9 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
   return all;
 }
 
-void LocalizationNode::onMap(const Ground& map) {
-  const auto places = PlacesMaker::make(map, parameters_);
+/// The grids of a map that changes all the time would push all others out of the cache.
+void LocalizationNode::onMap(const Ground& map, bool is_updated) {
+  const auto places = PlacesMaker::make(map, parameters_, !is_updated);
   if (localizer_) {
     localizer_->setMap({map.map, map.field, places});
   } else {
@@ -81,6 +86,7 @@ void LocalizationNode::onMap(const Ground& map) {
   }
   places_.use(places);
   map_ = map;
+  is_map_updated_ = is_updated;
 }
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,

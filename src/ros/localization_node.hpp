@@ -56,7 +56,7 @@ class LocalizationNode {
  private:
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
-  void onMap(const Ground& map);
+  void onMap(const Ground& map, bool is_updated);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,
               const ros::SteadyTime& arrival);
   void onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base);
@@ -78,6 +78,7 @@ class LocalizationNode {
   Parameters parameters_;
   NodeOptions options_;
   Ground map_;
+  bool is_map_updated_{false};
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
   std::optional<Localization> answer_;    // to the last scan

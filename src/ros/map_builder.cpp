@@ -37,13 +37,17 @@ void checkMemory(const OccupancyGrid& grid) {
   throw std::invalid_argument(text.str());
 }
 
-/// A map that can be used, or an exception that says why it cannot be.
+/// Throws std::invalid_argument that says why the map cannot be used, if so.
+void checkUse(const OccupancyGrid& grid) {
+  if (grid.countFree() == 0) throw std::invalid_argument("map: got no free cell");
+  checkMemory(grid);
+}
+
 std::shared_ptr<const OccupancyGrid> usableGrid(nav_msgs::OccupancyGrid&& message,
                                                 bool origin_is_cell_center) {
   auto grid =
       std::make_shared<const OccupancyGrid>(toGrid(std::move(message), origin_is_cell_center));
-  if (grid->countFree() == 0) throw std::invalid_argument("map: got no free cell");
-  checkMemory(*grid);
+  checkUse(*grid);
   return grid;
 }
 
@@ -52,10 +56,24 @@ Ground built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
   return {std::move(grid), std::move(field)};
 }
 
+Ground updated(const Ground& map, const std::vector<MapPatch>& patches, const StopToken& stop) {
+  auto grid = std::make_shared<const OccupancyGrid>(map.map->with(patches));
+  checkUse(*grid);
+  auto field = std::make_shared<const DistanceField>(*grid, *map.field, patches, stop);
+  return {std::move(grid), std::move(field)};
+}
+
+bool covers(const MapPatch& patch, const MapPatch& other) {
+  const auto [x, y] = patch.corner;
+  return other.corner.x >= x && other.corner.x + other.width <= x + patch.width &&
+         other.corner.y >= y && other.corner.y + other.height <= y + patch.height;
+}
+
 }  // namespace
 
-MapBuilder::MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user)
-    : options_(options), user_(std::move(user)) {
+MapBuilder::MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user,
+                       std::function<bool()> is_busy)
+    : options_(options), user_(std::move(user)), is_busy_(std::move(is_busy)) {
   timer_ = every(
       node, kPollPeriod, "Map", [this] { poll(); }, false);
 }
@@ -69,15 +87,31 @@ bool MapBuilder::build(nav_msgs::OccupancyGrid&& message, bool wait) {
   const auto grid =
       outcomeOf([&] { return usableGrid(std::move(message), options_.map_origin_is_cell_center); });
   if (!grid.value) return refuse(grid.error);
-  if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }))) return false;
+  if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }), false)) return false;
   giveUp();
+  newest_ = *grid.value;
   if (wait) return true;
   if (running_.isRunning()) {
-    next_ = *grid.value;
+    next_ = newest_;
   } else {
-    start(*grid.value);
+    start(newest_);
   }
   return true;
+}
+
+/// One that covers others from before makes them superfluous.
+void MapBuilder::update(const map_msgs::OccupancyGridUpdate& message) {
+  constexpr std::size_t kMost = 10000;
+  if (!newest_) throw std::invalid_argument("map update: got one before any map");
+  MapPatch patch = toPatch(message);
+  checkFits(patch, newest_->lattice());
+  const auto is_covered = [&](const MapPatch& other) { return covers(patch, other); };
+  patches_.erase(std::remove_if(patches_.begin(), patches_.end(), is_covered), patches_.end());
+  if (patches_.size() == kMost) {
+    throw std::invalid_argument("map update: got one while " + std::to_string(kMost) + " wait");
+  }
+  patches_.push_back(std::move(patch));
+  timer_.start();
 }
 
 /// What is being built is older than what came now; a map that is refused gives up nothing.
@@ -85,30 +119,50 @@ void MapBuilder::giveUp() {
   running_.stop();
   is_wanted_ = false;
   next_ = nullptr;
+  patches_.clear();
 }
 
 void MapBuilder::start(Grid grid) {
   ROS_INFO("Preparing a map of %d x %d cells", grid->lattice().width(), grid->lattice().height());
   is_wanted_ = true;
+  is_update_ = false;
   running_.start([grid = std::move(grid)](const StopToken& stop) { return built(grid, stop); });
   timer_.start();
 }
 
-void MapBuilder::poll() {
-  const auto map = running_.poll();
-  if (!map) return;
-  timer_.stop();
-  if (next_) return start(std::exchange(next_, nullptr));
-  if (std::exchange(is_wanted_, false)) use(*map);
+void MapBuilder::startUpdate() {
+  is_wanted_ = is_update_ = true;
+  running_.start([map = used_, patches = std::exchange(patches_, {})](const StopToken& stop) {
+    return updated(map, patches, stop);
+  });
 }
 
-bool MapBuilder::use(const Outcome<Ground>& map) {
+void MapBuilder::poll() {
+  if (const auto map = running_.poll()) {
+    const bool is_wanted = std::exchange(is_wanted_, false);
+    if (is_wanted && !use(*map, is_update_) && !is_update_) {
+      newest_ = used_.map;
+      patches_.clear();
+    }
+  }
+  if (running_.isRunning()) return;
+  if (next_) return start(std::exchange(next_, nullptr));
+  if (patches_.empty()) return timer_.stop();
+  if (!is_busy_()) startUpdate();
+}
+
+bool MapBuilder::use(const Outcome<Ground>& map, bool is_updated) {
   if (!map.value) return refuse(map.error);
-  const auto used = outcomeOf([&] { return user_(*map.value), true; });
+  const auto used = outcomeOf([&] { return user_(*map.value, is_updated), true; });
   if (!used.value) return refuse(used.error);
-  const Lattice& lattice = map.value->map->lattice();
-  ROS_INFO("Map of %d x %d cells of %.3f m", lattice.width(), lattice.height(),
-           lattice.resolution());
+  used_ = *map.value;
+  const Lattice& lattice = used_.map->lattice();
+  if (is_updated) {
+    ROS_INFO_THROTTLE(10.0, "Map updated");
+  } else {
+    ROS_INFO("Map of %d x %d cells of %.3f m", lattice.width(), lattice.height(),
+             lattice.resolution());
+  }
   return true;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "adaptive_localization/core/background.hpp"
 #include "adaptive_localization/ser/ground.hpp"
@@ -17,28 +20,41 @@ namespace adaptive_localization {
 /// while scans are used and transforms sent as before.
 class MapBuilder {
  public:
-  /// Takes a map, in ROS's thread; throws std::invalid_argument if it cannot be used.
-  using User = std::function<void(const Ground&)>;
+  /// Takes a map, in ROS's thread, and whether it is one that was updated; throws
+  /// std::invalid_argument if it cannot be used.
+  using User = std::function<void(const Ground&, bool is_updated)>;
 
-  MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user);
+  /// Updates wait while the user is busy with the last map.
+  MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user,
+             std::function<bool()> is_busy);
 
   /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built. The newest
   /// counts: what is still being built before it is given up. The message's cells become the map's.
   /// False, and an error in the log, if the map cannot be used.
   bool build(nav_msgs::OccupancyGrid&& message, bool wait);
 
+  /// Gives the newest map to the user again, with these cells in it, as soon as that is built; what
+  /// comes meanwhile is one update. Throws std::invalid_argument if it does not fit into the map.
+  void update(const map_msgs::OccupancyGridUpdate& message);
+
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;
-  bool use(const Outcome<Ground>& map);
+  bool use(const Outcome<Ground>& map, bool is_updated);
   bool refuse(const std::string& why);
   void giveUp();
   void start(Grid grid);
+  void startUpdate();
   void poll();
 
   const NodeOptions& options_;
   User user_;
+  std::function<bool()> is_busy_;
+  Ground used_;                    // by the user
+  Grid newest_;                    // what updates are of
+  std::vector<MapPatch> patches_;  // of that, to be used
   Background<Ground> running_;
   bool is_wanted_{false};  // what is running
+  bool is_update_{false};  // what is running
   Grid next_;              // came while another was being built
   std::string refusal_;    // said last
   ros::WallTime refused_;  // when

@@ -9,11 +9,16 @@
 
 namespace adaptive_localization {
 
-MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback)
+MapSource::MapSource(ros::NodeHandle node, bool use_topic, bool first_only, Callback callback,
+                     UpdateCallback on_update)
     : callback_(std::move(callback)), first_only_(first_only) {
   if (use_topic) {
     subscriber_ = subscribe<nav_msgs::OccupancyGrid, nav_msgs::OccupancyGrid::Ptr>(
         node, "map", 1, [this](const auto& map) { onTopic(*map); });
+    if (!first_only) {
+      updates_ = subscribe<map_msgs::OccupancyGridUpdate>(
+          node, "map_updates", 100, [on_update](const auto& update) { on_update(*update); });
+    }
     name_ = "topic " + subscriber_.getTopic();
     ROS_INFO("Waiting for a map on %s", name_.c_str());
     return;

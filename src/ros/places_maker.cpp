@@ -41,8 +41,11 @@ PlacesMaker::PlacesMaker(ros::NodeHandle node) {
       node, kPollPeriod, "Energy grid", [this] { poll(); }, false);
 }
 
-std::shared_ptr<Places> PlacesMaker::make(const Ground& map, const Parameters& parameters) {
-  return std::make_shared<Places>(map.map, map.field, parameters.read<EnergyGridOptions>(),
+std::shared_ptr<Places> PlacesMaker::make(const Ground& map, const Parameters& parameters,
+                                          bool use_cache) {
+  auto options = parameters.read<EnergyGridOptions>();
+  if (!use_cache) options.cache_dir.clear();
+  return std::make_shared<Places>(map.map, map.field, options,
                                   parameters.read<GlobalSearchOptions>(),
                                   Places::Build::kInBackground);
 }

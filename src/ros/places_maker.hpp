@@ -25,8 +25,9 @@ class PlacesMaker {
  public:
   explicit PlacesMaker(ros::NodeHandle node);
 
-  /// The places of a map, to be used once the map is.
-  static std::shared_ptr<Places> make(const Ground& map, const Parameters& parameters);
+  /// The places of a map, to be used once the map is. Their grids are kept in cache_dir or not.
+  static std::shared_ptr<Places> make(const Ground& map, const Parameters& parameters,
+                                      bool use_cache);
 
   /// These are looked after from now on; a grid for others is no longer wanted.
   void use(std::shared_ptr<Places> places);
@@ -34,6 +35,8 @@ class PlacesMaker {
   /// Has a grid built for the laser of this scan, so that it is there when it is needed: lasers
   /// whose geometry changes all the time get one only when somebody asks.
   void prepare(const Scan& scan);
+
+  bool isBuilding() const { return places_ && places_->isBuilding(); }
 
  private:
   void poll();

@@ -134,5 +134,37 @@ TEST(DistanceField, RunsStraightBetweenTheCentresOfCells) {
   EXPECT_DOUBLE_EQ(field.between({std::nan(""), 0.0}), field.reach());
 }
 
+/// Patches anywhere, with walls that come and go and rock: cells deeper than walls are.
+TEST(DistanceField, MadeAnewNearPatchesIsTheOneOfTheWholeMap) {
+  Rng rng(3);
+  const auto below = [&](int limit) { return static_cast<int>(rng.below(limit)); };
+  int changed = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Lattice lattice(1 + below(900), 1 + below(700), rng.uniform(0.1, 0.5), {});
+    const auto before = randomGrid(rng, lattice, trial % 3 == 0 ? 0.0 : 0.001);
+    std::vector<MapPatch> patches;
+    for (int i = below(3); i >= 0; --i) {
+      const Cell corner{below(lattice.width()), below(lattice.height())};
+      MapPatch patch{corner,
+                     1 + below(std::min(40, lattice.width() - corner.x)),
+                     1 + below(std::min(40, lattice.height() - corner.y)),
+                     {}};
+      patch.cells.resize(static_cast<std::size_t>(patch.width * patch.height),
+                         rng.uniform() < 0.5 ? OccupancyGrid::kOccupied : OccupancyGrid::kFree);
+      patches.push_back(std::move(patch));
+    }
+    const OccupancyGrid after = before->with(patches);
+    const DistanceField old(*before), expected(after), field(after, old, patches);
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+      const Cell cell = lattice.cell(i);
+      ASSERT_EQ(field.stepsTo(cell), expected.stepsTo(cell))
+          << trial << ": " << cell.x << ", " << cell.y;
+      changed += field.stepsTo(cell) != old.stepsTo(cell) ? 1 : 0;
+    }
+    EXPECT_EQ(field.quality().wallDepth(), expected.quality().wallDepth());
+  }
+  EXPECT_GT(changed, 10000);
+}
+
 }  // namespace
 }  // namespace adaptive_localization

@@ -50,5 +50,18 @@ TEST(SparseGrid, TakesNoMemoryForWhatWasNotWritten) {
   EXPECT_LT(sum, 10);
 }
 
+TEST(SparseGrid, CopiesWhatWasWritten) {
+  SparseGrid grid(300, 300);
+  grid.set(70, 40, 7);
+  SparseGrid copy = grid;
+  copy.set(299, 299, 8);
+  EXPECT_EQ(copy.at(70, 40), 7);
+  EXPECT_EQ(copy.at(299, 299), 8);
+  EXPECT_EQ(grid.at(299, 299), 0) << "a copy of its own";
+  int written = 0;
+  for (std::size_t tile = 0; tile < copy.tiles(); ++tile) written += copy.isWritten(tile) ? 1 : 0;
+  EXPECT_EQ(written, 2);
+}
+
 }  // namespace
 }  // namespace adaptive_localization

@@ -98,6 +98,21 @@ TEST(Conversions, CovarianceStandsAtXYAndYaw) {
   EXPECT_EQ(toGaussian(message).covariance, read);
 }
 
+TEST(Conversions, MapUpdatesKeepTheirPlaceAndSize) {
+  map_msgs::OccupancyGridUpdate message;
+  message.x = 3;
+  message.y = -4;
+  message.width = 2;
+  message.height = std::numeric_limits<std::uint32_t>::max();
+  message.data = {100, -1};
+  const MapPatch patch = toPatch(message);
+  EXPECT_EQ(patch.corner.x, 3);
+  EXPECT_EQ(patch.corner.y, -4);
+  EXPECT_EQ(patch.width, 2);
+  EXPECT_EQ(patch.height, -1) << "no size that a map has";
+  EXPECT_EQ(patch.cells, message.data);
+}
+
 TEST(Conversions, MapsGoThereAndBack) {
   const OccupancyGrid grid(Lattice(3, 2, 0.5, {1.0, 2.0, 0.25}), {0, 100, -1, 50, 0, 0});
   const OccupancyGrid back = toGrid(toMessage(grid));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "adaptive_localization/core/stop_token.hpp"
 #include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
@@ -21,6 +23,11 @@ class DistanceField {
  public:
   /// Throws Stopped.
   explicit DistanceField(const OccupancyGrid& grid, const StopToken& stop = {});
+
+  /// The same, of a grid that differs in patches alone from the one that a field was made of: only
+  /// what is within reach of these is made anew. Throws Stopped.
+  DistanceField(const OccupancyGrid& grid, const DistanceField& before,
+                const std::vector<MapPatch>& patches, const StopToken& stop = {});
 
   const Lattice& lattice() const { return lattice_; }
   double reach() const { return step_ * reach_; }  // m

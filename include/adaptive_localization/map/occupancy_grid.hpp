@@ -8,6 +8,14 @@
 
 namespace adaptive_localization {
 
+/// New values for a rectangle of a map's cells, as map_msgs/OccupancyGridUpdate has them.
+struct MapPatch {
+  Cell corner;  // the first of its cells in the map
+  int width;
+  int height;
+  std::vector<std::int8_t> cells;  // row-major, from the corner on
+};
+
 /// An occupancy grid with nav_msgs/OccupancyGrid's values: 0 to 100 in per cent, -1 unknown.
 /// Cells of at least 65 are occupied and known ones below 20 free, map_server's thresholds, so that
 /// grids with graded values (Cartographer's, map_server's scale mode) work too.
@@ -21,6 +29,10 @@ class OccupancyGrid {
   /// Row-major cells, row 0 at the origin. Throws std::invalid_argument when their number is not
   /// the lattice's.
   OccupancyGrid(const Lattice& lattice, std::vector<std::int8_t> cells);
+
+  /// The same with the cells of patches, later ones over earlier ones. Throws std::invalid_argument
+  /// where checkFits() does.
+  OccupancyGrid with(const std::vector<MapPatch>& patches) const;
 
   const Lattice& lattice() const { return lattice_; }
   const std::vector<std::int8_t>& cells() const { return cells_; }
@@ -38,5 +50,9 @@ class OccupancyGrid {
   Lattice lattice_;
   std::vector<std::int8_t> cells_;
 };
+
+/// Throws std::invalid_argument unless a patch has as many cells as its size says, at least one,
+/// all of them on the lattice.
+void checkFits(const MapPatch& patch, const Lattice& lattice);
 
 }  // namespace adaptive_localization

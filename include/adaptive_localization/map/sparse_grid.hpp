@@ -22,6 +22,11 @@ class SparseGrid {
   /// All 0. Throws std::bad_alloc.
   SparseGrid(int columns, int rows);
 
+  /// Copies what was written. Throws std::bad_alloc.
+  SparseGrid(const SparseGrid& other);
+  SparseGrid(SparseGrid&&) = default;
+  SparseGrid& operator=(SparseGrid&&) = default;
+
   /// Columns, rounded up to whole tiles.
   int stride() const { return stride_; }
 
