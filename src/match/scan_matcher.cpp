@@ -118,6 +118,7 @@ void ScanMatcher::align(const Scan& scan, const Eigen::Matrix3d& information, Ma
 void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach,
                          MatchPairs& pairs) const {
   pairs.clear();
+  pairs.reserve(static_cast<std::size_t>(scan.x.size()));
   const double c = std::cos(T_map_base.theta);
   const double s = std::sin(T_map_base.theta);
   const double ends = surfaces_->lattice().resolution();  // walls are not known better

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "adaptive_localization/core/pose_bins.hpp"
@@ -96,9 +97,11 @@ Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) co
 
 double LikelihoodField::score(const Observations& observations, const Particles& particles,
                               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
-  const bool skip = nearness_ && observations.scan.hits() > 0;
-  const Scan scan =
-      skip && isCompact(particles) ? skipBeams(observations.scan, particles) : observations.scan;
+  std::optional<Scan> thinner;
+  if (nearness_ && observations.scan.hits() > 0 && isCompact(particles)) {
+    thinner = skipBeams(observations.scan, particles);
+  }
+  const Scan& scan = thinner ? *thinner : observations.scan;
   const int hits = scan.hits();
   if (hits == 0 || particles.size() == 0) return 0.0;
 

@@ -75,11 +75,13 @@ Estimate summarize(const Particles& particles, const Eigen::ArrayXd& weights) {
   int clusters = 0;
   const std::vector<int> label = labelClusters(bins, clusters);
   std::vector<std::vector<Eigen::Index>> members(static_cast<std::size_t>(clusters));
+  if (clusters == 1) members.front().reserve(bin.size());
   for (std::size_t i = 0; i < bin.size(); ++i) {
     const auto cluster = static_cast<std::size_t>(label[static_cast<std::size_t>(bin[i])]);
     members[cluster].push_back(static_cast<Eigen::Index>(i));
   }
   Estimate estimate;
+  estimate.modes.reserve(members.size());
   for (const auto& cluster : members) {
     estimate.modes.push_back(meanAndCovariance(particles, weights, cluster));
   }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How often an update allocates memory while the robot is tracked: some dozen times, however many
+// particles there are, and it keeps none of it.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "adaptive_localization/filters/builtins.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
+#include "support/toy_drive.hpp"
+
+// Sanitizers have an allocator of their own; other C libraries have no names for theirs.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define COUNTS_ALLOCATIONS
+
+namespace {
+std::atomic<long> taken{0}, given_back{0};
+}
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* memory);
+
+void* malloc(std::size_t size) noexcept {
+  ++taken;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++taken;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) noexcept {
+  if (!memory) ++taken;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++taken;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  ++taken;
+  *memory = __libc_memalign(alignment, size);
+  return *memory ? 0 : ENOMEM;
+}
+void free(void* memory) noexcept {
+  if (memory) ++given_back;
+  __libc_free(memory);
+}
+}
+#endif
+
+namespace adaptive_localization {
+namespace {
+
+#ifdef COUNTS_ALLOCATIONS
+
+struct Counts {
+  double taken;  // per update
+  long kept;     // in all
+};
+
+/// Allocations in the second half of a drive.
+Counts countOf(const std::string& filter, int particles) {
+  const auto map = asymmetricWorld();
+  const std::vector<ToyStep> drive = toyDrive(map, 1, 61);
+  Parameters parameters;
+  parameters.set("filter", filter);
+  parameters.set("min_particles", particles);
+  parameters.set("max_particles", particles);
+  parameters.set("threads", 1);
+  Localizer localizer(parameters, Ground(map));
+  localizer.reset(Gaussian2{drive.front().T_map_base, 0.001 * Eigen::Matrix3d::Identity()});
+  Pose2 T_odom_base;
+  const std::size_t half = drive.size() / 2;
+  long taken_before = 0, kept_before = 0;
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    T_odom_base = T_odom_base * drive[i].motion;
+    if (i == half) {
+      taken_before = taken;
+      kept_before = taken - given_back;
+    }
+    localizer.update(T_odom_base, drive[i].observations);
+  }
+  const long kept = taken - given_back - kept_before;
+  const auto updates = static_cast<double>(drive.size() - half);
+  return {static_cast<double>(taken - taken_before) / updates, kept};
+}
+
+class EveryCore : public testing::TestWithParam<std::string> {};
+
+/// Swarms and histograms allocate more.
+TEST_P(EveryCore, AllocatesAsOftenForManyParticlesAsForFew) {
+  const std::set<std::string> dear{"ba", "lbba", "pso", "markov"};
+  const Counts few = countOf(GetParam(), 500);
+  const Counts many = countOf(GetParam(), 8000);
+  EXPECT_GT(few.taken, 0.0) << "nothing is counted";
+  EXPECT_LT(few.taken, dear.count(GetParam()) > 0 ? 350.0 : 100.0);
+  EXPECT_LT(many.taken, few.taken + 5.0);
+  EXPECT_LT(std::abs(few.kept), 20);
+  EXPECT_LT(std::abs(many.kept), 20);
+  RecordProperty("per_update", std::to_string(few.taken));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EveryCore, testing::ValuesIn(builtins().filters.names()),
+                         [](const auto& core) { return core.param; });
+
+#else
+
+TEST(Allocations, AreCounted) {
+  GTEST_SKIP() << "allocations cannot be counted with a sanitizer or without glibc";
+}
+
+#endif
+
+}  // namespace
+}  // namespace adaptive_localization
