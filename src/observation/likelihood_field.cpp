@@ -41,7 +41,7 @@ LikelihoodField::LikelihoodField(const ObservationOptions& options, Form form,
   options_.laser_sigma_hit = sigmaHit(options, field_->quality());
   if (options_.do_beamskip && form_ == Form::kSum) {
     // a field of its own: the likelihood is flat long before the distance that explains a hit
-    nearness_ = std::make_unique<ScoreField>(*field_, 2.0 * options_.beam_skip_distance,
+    nearness_ = std::make_unique<ScoreField>(field_, 2.0 * options_.beam_skip_distance,
                                              [](double distance) { return -distance; });
   }
 }
@@ -68,7 +68,7 @@ const ScoreField& LikelihoodField::fieldFor(double max_range, double sigma) cons
     table.sigma = sigma;
     table.field.reset();  // two at once would double the memory
     table.field = std::make_unique<ScoreField>(
-        *field_, options_.laser_likelihood_max_dist, [&](double distance) {
+        field_, options_.laser_likelihood_max_dist, [&](double distance) {
           const double p = likelihood(distance, max_range, sigma);
           return cubed ? p * p * p : std::log(p);
         });

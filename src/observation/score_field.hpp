@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/scan.hpp"
@@ -13,17 +15,20 @@ namespace adaptive_localization {
 /// A function of the distance to the nearest obstacle, tabulated over the map with 16 bits per
 /// cell where that is near enough, and its sum over the hits of a scan for many poses at once.
 ///
+/// Tiles of the table are made when particles are first within reach of them: on a large map a
+/// robot that is tracked needs a few.
+///
 /// The sum is one of whole numbers, so it does not depend on its order: scalar code, AVX2 code and
 /// any number of threads give the same bits.
 class ScoreField {
  public:
   /// value(distance in metres) must be monotone; distances above max_distance, or above the reach
   /// of the distance field, count as max_distance, and so does everything outside the map.
-  ScoreField(const DistanceField& field, double max_distance,
+  ScoreField(std::shared_ptr<const DistanceField> field, double max_distance,
              const std::function<double(double)>& value);
 
   /// Sum of the values at the hits (end points in base, m) for each particle. At most
-  /// kMaxHits hits.
+  /// kMaxHits hits. One thread at a time.
   void sum(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const Particles& particles,
            Eigen::Ref<Eigen::ArrayXd> sums) const;
 
@@ -33,14 +38,25 @@ class ScoreField {
 
   static constexpr int kMaxHits = 32767;
 
+  /// So many tiles there are still to be made.
+  std::size_t tilesToMake() const { return to_make_; }
+
   /// Uses only portable instructions from now on; for tests that compare them.
   static void usePortableInstructions(bool portable);
 
  private:
-  Lattice lattice_;
+  void makeTiles(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
+                 const Particles& particles) const;
+  void sumUp(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const Particles& particles,
+             Eigen::Ref<Eigen::ArrayXd> sums) const;
+
+  std::shared_ptr<const DistanceField> field_;
   double at_max_;
-  double step_;       // of the value, from at_max_ on
-  SparseGrid table_;  // with a border of one cell
+  double step_;                                        // of the value, from at_max_ on
+  std::vector<std::uint16_t> by_nearness_;             // steps, by those of the distance field
+  mutable SparseGrid table_;                           // with a border of one cell
+  mutable std::vector<std::uint16_t> is_made_around_;  // each tile: so many rows of tiles
+  mutable std::size_t to_make_{0};                     // tiles
 };
 
 }  // namespace adaptive_localization

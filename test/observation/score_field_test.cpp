@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "adaptive_localization/core/parallel.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/random_grid.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -33,7 +35,8 @@ class ScoreFieldSums : public testing::Test {
 
   Eigen::ArrayXd sums(const Pose2& origin = {}) const {
     const auto map = asymmetricWorld(origin);
-    const ScoreField field(DistanceField(*map), 2.0, [](double d) { return -d * d; });
+    const ScoreField field(std::make_shared<const DistanceField>(*map), 2.0,
+                           [](double d) { return -d * d; });
     const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.2, 1.3, 0.3}).scan;
     Eigen::ArrayXd result(particles_.size());
     field.sum(scan.x, scan.y, particles_, result);
@@ -89,11 +92,53 @@ TEST_F(ScoreFieldSums, AreTheDirectSums) {
 
 TEST_F(ScoreFieldSums, CountTheSharesOfParticles) {
   const auto map = toyWorld({"..........#"}, 0.1);
-  const ScoreField field(DistanceField(*map), 2.0, [](double d) { return -d; });
+  const ScoreField field(std::make_shared<const DistanceField>(*map), 2.0,
+                         [](double d) { return -d; });
   Particles particles(10);
   for (Eigen::Index i = 0; i < 10; ++i) particles.setPose(i, {0.05 + 0.1 * double(i), 0.05, 0.0});
   const Eigen::ArrayXf x = Eigen::ArrayXf::Zero(1), y = Eigen::ArrayXf::Zero(1);
   EXPECT_DOUBLE_EQ(field.shareAbove(-0.35, x, y, particles)[0], 0.3);
+}
+
+/// On a long map with walls everywhere.
+TEST(ScoreFieldTiles, AreMadeWhereParticlesSeeThem) {
+  Rng rng(4);
+  const auto map = randomGrid(rng, Lattice(6000, 70, 0.05, {-10.0, 3.0, 0.4}), 0.01);
+  const auto distances = std::make_shared<const DistanceField>(*map);
+  const auto square = [](double d) { return -d * d; };
+  const Lattice& lattice = map->lattice();
+  const Eigen::ArrayXf all_x = Eigen::ArrayXf::LinSpaced(50, -8.0F, 8.0F);
+  const Eigen::ArrayXf y = Eigen::ArrayXf::LinSpaced(50, 2.0F, -3.0F);
+  const ScoreField grown(distances, 2.0, square);
+  const std::size_t all = grown.tilesToMake();
+  EXPECT_EQ(all, distances->nearness().tiles());
+  std::size_t before = all;
+  for (int place = 0; place < 40; ++place) {  // at two ends of the map, beside it and in it
+    const Eigen::ArrayXf x = (place % 3 == 0 ? 0.2F : 1.0F) * all_x;
+    Particles particles(30);
+    for (Eigen::Index i = 0; i < particles.size(); ++i) {
+      const double along = (i % 2 == 0 ? 6.0 : -6.0) * place + (i % 2 == 0 ? -20.0 : 310.0);
+      const Eigen::Vector2d at = lattice.origin() * Eigen::Vector2d(along, rng.uniform(-9.0, 9.0));
+      particles.setPose(i, {at.x(), at.y(), rng.uniform(-kPi, kPi)});
+    }
+    Eigen::ArrayXd sums(particles.size()), expected(particles.size());
+    grown.sum(x, y, particles, sums);
+    const ScoreField whole(distances, 2.0, square);
+    Particles everywhere(600);
+    for (Eigen::Index i = 0; i < everywhere.size(); ++i) {
+      const Eigen::Vector2d at = lattice.origin() * Eigen::Vector2d(0.5 * double(i), 1.0);
+      everywhere.setPose(i, {at.x(), at.y(), 0.0});
+    }
+    Eigen::ArrayXd unused(everywhere.size());
+    whole.sum(x, y, everywhere, unused);
+    ASSERT_EQ(whole.tilesToMake(), 0U);
+    whole.sum(x, y, particles, expected);
+    EXPECT_TRUE((sums == expected).all()) << place;
+    EXPECT_LE(grown.tilesToMake(), before);
+    before = grown.tilesToMake();
+    EXPECT_TRUE(place > 4 || before > all / 2) << place;
+  }
+  EXPECT_EQ(before, 0U) << "the two groups have met";
 }
 
 }  // namespace
