@@ -96,7 +96,7 @@ void ScoreField::makeTiles(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
   const int across = table_.stride() / kColumns;
   const int down = static_cast<int>(table_.tiles()) / across;
   const double reach = reachOf(x, y) / field_->lattice().resolution() + 2.0;  // cells
-  constexpr double kMost = 65534.0;  // tiles
+  constexpr double kMost = 65534.0;                                           // tiles
   const int rows = static_cast<int>(std::min(std::ceil(reach / kRows), kMost));
   const int columns = static_cast<int>(std::min(std::ceil(reach / kColumns), kMost));
   const ToTable to_table(field_->lattice());
