@@ -90,10 +90,14 @@ void update(benchmark::State& state, const std::string& core, int particles, int
   countItems(state, static_cast<std::int64_t>(particles) * beams);
 }
 
+void makeDistanceField(benchmark::State& state, const OccupancyGrid& map) {
+  for (auto _ : state) benchmark::DoNotOptimize(DistanceField(map));
+  countItems(state, static_cast<std::int64_t>(map.lattice().size()));
+}
+
 void distanceField(benchmark::State& state, int side) {
   const auto map = toyBuilding(side);
-  for (auto _ : state) benchmark::DoNotOptimize(DistanceField(*map));
-  countItems(state, static_cast<std::int64_t>(map->lattice().size()));
+  makeDistanceField(state, *map);
 
   const double before = residentMegabytes();  // what a running filter holds for each cell
   const FilterContext context = contextFor(toyBuilding(side));
@@ -135,6 +139,25 @@ void registerScores() {
   }
 }
 
+/// What scripts/plot_costs draws: one thing grows at a time.
+void registerCosts() {
+  const auto add = [](const std::string& what, int size, auto&& run) {
+    const std::string name = "cost/" + what + "/" + std::to_string(size);
+    return benchmark::RegisterBenchmark(name.c_str(), run);
+  };
+  for (const int particles : {100, 1000, 10000, 100000, 1000000}) {
+    add("particles", particles, [=](auto& state) { update(state, "kld", particles, 60); });
+  }
+  for (const int beams : {10, 30, 60, 180, 360, 720}) {
+    add("beams", beams, [=](auto& state) { update(state, "kld", 2000, beams); });
+  }
+  for (const int side : {100, 300, 1000, 3000, 10000, 20000}) {
+    auto* fields = add("cells", side * side,
+                       [=](auto& state) { makeDistanceField(state, *toyBuilding(side)); });
+    if (side > 3000) fields->Iterations(1)->Repetitions(1);
+  }
+}
+
 void registerOthers() {
   for (const int count : {1000, 10000, 50000, 100000, 1000000}) {
     benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
@@ -160,6 +183,7 @@ int main(int argc, char** argv) {
   adaptive_localization::setThreads(1);
   adaptive_localization::registerScores();
   adaptive_localization::registerOthers();
+  adaptive_localization::registerCosts();
   adaptive_localization::registerPlaces();
   adaptive_localization::registerMatches();
   benchmark::Initialize(&argc, argv);
