@@ -64,32 +64,55 @@ Localizer::Localizer(const Parameters& parameters, Ground ground) {
   build(reader_.read(parameters), std::move(ground), std::nullopt);
 }
 
-/// Makes all that can fail before anything is replaced.
-void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& belief) {
+struct Localizer::Preparation {
+  Preparation(std::shared_ptr<const SetupReader> the_reader, Setup the_setup, Ground the_ground);
+
+  std::shared_ptr<const SetupReader> reader;
+  Setup setup;
+  Ground ground;
+  std::unique_ptr<Filter> filter;
+  Senses senses;
+  std::unique_ptr<EstimateRefiner> refiner;
+};
+
+Localizer::Preparation::Preparation(std::shared_ptr<const SetupReader> the_reader, Setup the_setup,
+                                    Ground the_ground)
+    : reader(std::move(the_reader)), setup(std::move(the_setup)), ground(std::move(the_ground)) {
   if (!ground.places) {
     ground.places = std::make_shared<Places>(ground.map, ground.field,
                                              setup.parameters.read<EnergyGridOptions>(),
                                              setup.parameters.read<GlobalSearchOptions>());
   }
-  const FilterContext context{reader_.registries(), ground, setup.parameters,
+  const Registries& registries = reader->registries();
+  const FilterContext context{registries, ground, setup.parameters,
                               static_cast<std::uint64_t>(setup.options.seed)};
-  auto filter = reader_.registries().filters.make(setup.options.filter, context);
-  if (belief) filter->reset(*belief);
-  const Senses senses =
-      makeSenses(reader_.registries().senses, context.parameters, ground.map, ground.field);
-  Recovery recovery(setup.confidence, ground, senses);
-  if (recovery_) recovery.goOnFrom(*recovery_);
-  auto refiner = setup.options.refine ? makeEstimateRefiner(reader_.registries().motions,
-                                                            context.parameters, ground, senses)
-                                      : nullptr;
+  filter = registries.filters.make(setup.options.filter, context);
+  senses = makeSenses(registries.senses, context.parameters, ground.map, ground.field);
+  if (setup.options.refine) {
+    refiner = makeEstimateRefiner(registries.motions, context.parameters, ground, senses);
+  }
+  setup.parameters = context.parameters;  // knows what the filter has read
+}
 
-  setThreads(setup.options.threads);
-  compass_.configure(setup.compass);
-  setup_ = std::move(setup);
-  setup_.parameters = context.parameters;  // knows what the filter has read
-  ground_ = std::move(ground);
-  filter_ = std::move(filter);
-  refiner_ = std::move(refiner);
+void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& belief) {
+  Preparation prepared(std::make_shared<const SetupReader>(reader_), std::move(setup),
+                       std::move(ground));
+  use(prepared, belief);
+}
+
+/// Makes all that can fail before anything is replaced.
+void Localizer::use(Preparation& prepared, const std::optional<Prior>& belief) {
+  if (belief) prepared.filter->reset(*belief);
+  Recovery recovery(prepared.setup.confidence, prepared.ground, prepared.senses);
+  if (recovery_) recovery.goOnFrom(*recovery_);
+
+  setThreads(prepared.setup.options.threads);
+  compass_.configure(prepared.setup.compass);
+  setup_ = std::move(prepared.setup);
+  ground_ = std::move(prepared.ground);
+  filter_ = std::move(prepared.filter);
+  refiner_ = std::move(prepared.refiner);
+  used_reader_ = std::move(prepared.reader);
   match_.reset();
   recovery_.emplace(std::move(recovery));
 }
@@ -141,6 +164,17 @@ void Localizer::reset(const Prior& prior) {
 void Localizer::setMap(Ground ground) {
   const auto belief = beliefOn(*ground.map);
   build(setup_, std::move(ground), belief);
+  requestUpdate();
+}
+
+std::function<std::shared_ptr<Localizer::Preparation>(Ground)> Localizer::preparer() const {
+  return [reader = std::make_shared<const SetupReader>(reader_), setup = setup_](Ground ground) {
+    return std::make_shared<Preparation>(reader, setup, std::move(ground));
+  };
+}
+
+void Localizer::setMap(Preparation& prepared) {
+  use(prepared, beliefOn(*prepared.ground.map));
   requestUpdate();
 }
 

@@ -49,7 +49,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](auto& request, auto& response) { return onSetMap(request, response); })),
       places_(node),
       map_builder_(
-          node, options_, [this](const Ground& map, bool is_updated) { onMap(map, is_updated); },
+          node, options_, [this](BuiltMap& map) { onMap(map); }, [this] { return preparation(); },
           [this] { return places_.isBuilding(); }),
       maps_(
           node, options_.use_map_topic, options_.first_map_only,
@@ -70,23 +70,38 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
     places_.use(places);
   }
   parameters_ = parameters;
+  is_preparation_current_ = false;
   options_ = liveOptions(parameters, options_);
   pose_keeper_.setRate(options_.save_pose_rate);
   return all;
 }
 
+/// What takes long of a new map, to be done in another thread with the options of now.
+MapBuilder::Work LocalizationNode::preparation() {
+  is_preparation_current_ = true;
+  if (!localizer_) return nullptr;
+  return [prepare = localizer_->preparer(), parameters = parameters_](BuiltMap& map) {
+    map.ground.places = PlacesMaker::make(map.ground, parameters, !map.is_updated);
+    map.prepared = prepare(map.ground);
+  };
+}
+
 /// The grids of a map that changes all the time would push all others out of the cache.
-void LocalizationNode::onMap(const Ground& map, bool is_updated) {
-  const auto places = PlacesMaker::make(map, parameters_, !is_updated);
-  if (localizer_) {
-    localizer_->setMap({map.map, map.field, places});
+void LocalizationNode::onMap(BuiltMap& map) {
+  Ground& ground = map.ground;
+  const bool is_prepared = map.prepared && is_preparation_current_;
+  if (!is_prepared) ground.places = PlacesMaker::make(ground, parameters_, !map.is_updated);
+  if (localizer_ && is_prepared) {
+    localizer_->setMap(*map.prepared);
+  } else if (localizer_) {
+    localizer_->setMap(ground);
   } else {
-    localizer_ = std::make_unique<Localizer>(parameters_, Ground(map.map, map.field, places));
+    localizer_ = std::make_unique<Localizer>(parameters_, ground);
     if (prior_) start(*prior_);
   }
-  places_.use(places);
-  map_ = map;
-  is_map_updated_ = is_updated;
+  places_.use(ground.places);
+  map_ = {ground.map, ground.field};
+  is_map_updated_ = map.is_updated;
 }
 
 bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,

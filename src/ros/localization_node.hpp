@@ -30,7 +30,7 @@
 namespace adaptive_localization {
 
 /// The ROS node: amcl's topics, services and parameters around a Localizer. One thread, no locks;
-/// only the distances of a new map and its energy grid are computed in others.
+/// only what is made of a new map, and its energy grid, is computed in others.
 class LocalizationNode {
  public:
   /// Throws std::invalid_argument naming key, value and range when a parameter is wrong.
@@ -56,7 +56,8 @@ class LocalizationNode {
  private:
   using PoseWithCovarianceStamped = geometry_msgs::PoseWithCovarianceStamped;
 
-  void onMap(const Ground& map, bool is_updated);
+  MapBuilder::Work preparation();
+  void onMap(BuiltMap& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,
               const ros::SteadyTime& arrival);
   void onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base);
@@ -79,6 +80,7 @@ class LocalizationNode {
   NodeOptions options_;
   Ground map_;
   bool is_map_updated_{false};
+  bool is_preparation_current_{false};    // options are those that a map is being prepared with
   std::unique_ptr<Localizer> localizer_;  // once there is a map
   std::optional<Prior> prior_;            // to start from, once there is a map
   std::optional<Localization> answer_;    // to the last scan

@@ -51,16 +51,22 @@ std::shared_ptr<const OccupancyGrid> usableGrid(nav_msgs::OccupancyGrid&& messag
   return grid;
 }
 
-Ground built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
+BuiltMap built(std::shared_ptr<const OccupancyGrid> grid, const StopToken& stop) {
   auto field = std::make_shared<const DistanceField>(*grid, stop);
-  return {std::move(grid), std::move(field)};
+  return {Ground(std::move(grid), std::move(field))};
 }
 
-Ground updated(const Ground& map, const std::vector<MapPatch>& patches, const StopToken& stop) {
+BuiltMap updated(const Ground& map, const std::vector<MapPatch>& patches, const StopToken& stop) {
   auto grid = std::make_shared<const OccupancyGrid>(map.map->with(patches));
   checkUse(*grid);
   auto field = std::make_shared<const DistanceField>(*grid, *map.field, patches, stop);
-  return {std::move(grid), std::move(field)};
+  return {Ground(std::move(grid), std::move(field)), true};
+}
+
+BuiltMap with(const MapBuilder::Work& work, BuiltMap map, const StopToken& stop) {
+  stop.check();
+  if (work) work(map);
+  return map;
 }
 
 bool covers(const MapPatch& patch, const MapPatch& other) {
@@ -72,8 +78,11 @@ bool covers(const MapPatch& patch, const MapPatch& other) {
 }  // namespace
 
 MapBuilder::MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user,
-                       std::function<bool()> is_busy)
-    : options_(options), user_(std::move(user)), is_busy_(std::move(is_busy)) {
+                       std::function<Work()> preparation, std::function<bool()> is_busy)
+    : options_(options),
+      user_(std::move(user)),
+      preparation_(std::move(preparation)),
+      is_busy_(std::move(is_busy)) {
   timer_ = every(
       node, kPollPeriod, "Map", [this] { poll(); }, false);
 }
@@ -87,7 +96,7 @@ bool MapBuilder::build(nav_msgs::OccupancyGrid&& message, bool wait) {
   const auto grid =
       outcomeOf([&] { return usableGrid(std::move(message), options_.map_origin_is_cell_center); });
   if (!grid.value) return refuse(grid.error);
-  if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }), false)) return false;
+  if (wait && !use(outcomeOf([&] { return built(*grid.value, {}); }))) return false;
   giveUp();
   newest_ = *grid.value;
   if (wait) return true;
@@ -126,21 +135,24 @@ void MapBuilder::start(Grid grid) {
   ROS_INFO("Preparing a map of %d x %d cells", grid->lattice().width(), grid->lattice().height());
   is_wanted_ = true;
   is_update_ = false;
-  running_.start([grid = std::move(grid)](const StopToken& stop) { return built(grid, stop); });
+  running_.start([grid = std::move(grid), work = preparation_()](const StopToken& stop) {
+    return with(work, built(grid, stop), stop);
+  });
   timer_.start();
 }
 
 void MapBuilder::startUpdate() {
   is_wanted_ = is_update_ = true;
-  running_.start([map = used_, patches = std::exchange(patches_, {})](const StopToken& stop) {
-    return updated(map, patches, stop);
+  running_.start([map = used_, patches = std::exchange(patches_, {}),
+                  work = preparation_()](const StopToken& stop) {
+    return with(work, updated(map, patches, stop), stop);
   });
 }
 
 void MapBuilder::poll() {
-  if (const auto map = running_.poll()) {
+  if (auto map = running_.poll()) {
     const bool is_wanted = std::exchange(is_wanted_, false);
-    if (is_wanted && !use(*map, is_update_) && !is_update_) {
+    if (is_wanted && !use(std::move(*map)) && !is_update_) {
       newest_ = used_.map;
       patches_.clear();
     }
@@ -151,13 +163,13 @@ void MapBuilder::poll() {
   if (!is_busy_()) startUpdate();
 }
 
-bool MapBuilder::use(const Outcome<Ground>& map, bool is_updated) {
+bool MapBuilder::use(Outcome<BuiltMap> map) {
   if (!map.value) return refuse(map.error);
-  const auto used = outcomeOf([&] { return user_(*map.value, is_updated), true; });
+  const auto used = outcomeOf([&] { return user_(*map.value), true; });
   if (!used.value) return refuse(used.error);
-  used_ = *map.value;
+  used_ = Ground(map.value->ground.map, map.value->ground.field);
   const Lattice& lattice = used_.map->lattice();
-  if (is_updated) {
+  if (map.value->is_updated) {
     ROS_INFO_THROTTLE(10.0, "Map updated");
   } else {
     ROS_INFO("Map of %d x %d cells of %.3f m", lattice.width(), lattice.height(),

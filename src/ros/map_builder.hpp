@@ -11,22 +11,31 @@
 #include <vector>
 
 #include "adaptive_localization/core/background.hpp"
-#include "adaptive_localization/ser/ground.hpp"
+#include "adaptive_localization/localizer/localizer.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {
+
+/// A map, and what was prepared of it for the localizer, if it was.
+struct BuiltMap {
+  Ground ground;
+  bool is_updated{false};  // one that was there before, with other cells
+  std::shared_ptr<Localizer::Preparation> prepared{};
+};
 
 /// Makes maps from messages. What takes long on a huge map can be done in a thread of its own,
 /// while scans are used and transforms sent as before.
 class MapBuilder {
  public:
-  /// Takes a map, in ROS's thread, and whether it is one that was updated; throws
-  /// std::invalid_argument if it cannot be used.
-  using User = std::function<void(const Ground&, bool is_updated)>;
+  /// Called in ROS's thread. Throws std::invalid_argument if the map cannot be used.
+  using User = std::function<void(BuiltMap&)>;
+
+  /// What is to be done besides in the thread where a map is built; asked for in ROS's thread.
+  using Work = std::function<void(BuiltMap&)>;
 
   /// Updates wait while the user is busy with the last map.
   MapBuilder(ros::NodeHandle node, const NodeOptions& options, User user,
-             std::function<bool()> is_busy);
+             std::function<Work()> preparation, std::function<bool()> is_busy);
 
   /// Gives the map to the user, now or, if it need not `wait`, as soon as it is built. The newest
   /// counts: what is still being built before it is given up. The message's cells become the map's.
@@ -39,7 +48,7 @@ class MapBuilder {
 
  private:
   using Grid = std::shared_ptr<const OccupancyGrid>;
-  bool use(const Outcome<Ground>& map, bool is_updated);
+  bool use(Outcome<BuiltMap> map);
   bool refuse(const std::string& why);
   void giveUp();
   void start(Grid grid);
@@ -48,11 +57,12 @@ class MapBuilder {
 
   const NodeOptions& options_;
   User user_;
+  std::function<Work()> preparation_;
   std::function<bool()> is_busy_;
   Ground used_;                    // by the user
   Grid newest_;                    // what updates are of
   std::vector<MapPatch> patches_;  // of that, to be used
-  Background<Ground> running_;
+  Background<BuiltMap> running_;
   bool is_wanted_{false};  // what is running
   bool is_update_{false};  // what is running
   Grid next_;              // came while another was being built

@@ -2,6 +2,9 @@
 // Options and maps that change while the robot drives.
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <future>
+#include <memory>
 #include <stdexcept>
 
 #include "adaptive_localization/localizer/localizer.hpp"
@@ -169,6 +172,38 @@ TEST_F(DrivingLocalizer, GoesOnAroundItsPoseWhereNoParticleStandsOnFreeGround) {
 TEST_F(DrivingLocalizer, TakesADistanceFieldMadeElsewhere) {
   localizer_.setMap({map_, std::make_shared<const DistanceField>(*map_)});
   expectToGoOn();
+}
+
+TEST_F(DrivingLocalizer, TakesAMapThatWasPreparedWhileItDrove) {
+  Localizer other(parametersWith(), map_);
+  other.reset(roughly(drive_.front().T_map_base));
+  Pose2 odometry;
+  for (std::size_t i = 0; i < 20; ++i) {
+    odometry = odometry * drive_.at(i).motion;
+    other.update(odometry, drive_.at(i).observations);
+  }
+  auto prepared = std::async(std::launch::async, localizer_.preparer(), Ground(map_));
+  while (next_ < 20) step();
+  localizer_.setMap(*prepared.get());
+  other.setMap(map_);
+  EXPECT_TRUE((localizer_.hypotheses().x == other.hypotheses().x).all());
+  expectToGoOn();
+}
+
+TEST_F(DrivingLocalizer, PreparesNoMapThatCannotBeUsed) {
+  EXPECT_THROW(localizer_.preparer()(Ground(toyWorld({"##"}, 0.1))), std::invalid_argument);
+  expectToGoOn();
+}
+
+TEST(LocalizerConfigure, WhatItPreparesOutlivesIt) {
+  std::function<std::shared_ptr<Localizer::Preparation>(Ground)> prepare;
+  {
+    const Localizer gone(parametersWith({{"filter", std::string("mcl")}}), asymmetricWorld());
+    prepare = gone.preparer();
+  }
+  Localizer localizer(parametersWith(), asymmetricWorld());
+  localizer.setMap(*prepare(Ground(asymmetricWorld())));
+  EXPECT_EQ(localizer.options().filter, "mcl");
 }
 
 TEST(LocalizerConfigure, WorksBeforeThereIsABelief) {

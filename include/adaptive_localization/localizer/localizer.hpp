@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +60,16 @@ class Localizer {
   /// and then keeps the old map.
   void setMap(Ground ground);
 
+  /// A map and what filter, senses and matching make of it, which takes long on a large one.
+  struct Preparation;
+
+  /// Prepares a map for this localizer, with its options as they are now. The function may be
+  /// called in another thread, whatever becomes of the localizer; it throws as setMap().
+  std::function<std::shared_ptr<Preparation>(Ground)> preparer() const;
+
+  /// The same as with a map; takes apart what was prepared. The options must still be the same.
+  void setMap(Preparation& prepared);
+
   /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
@@ -98,6 +109,7 @@ class Localizer {
 
  private:
   void build(Setup setup, Ground ground, const std::optional<Prior>& belief);
+  void use(Preparation& prepared, const std::optional<Prior>& belief);
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
@@ -109,6 +121,7 @@ class Localizer {
   void conclude(const Pose2& T_map_base);
 
   SetupReader reader_;
+  std::shared_ptr<const SetupReader> used_reader_;  // what follows may refer to its models
   Setup setup_;
   Ground ground_;
   std::unique_ptr<Filter> filter_;
