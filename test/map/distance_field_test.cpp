@@ -137,7 +137,9 @@ TEST(DistanceField, RunsStraightBetweenTheCentresOfCells) {
 /// Patches anywhere, with walls that come and go and rock: cells deeper than walls are.
 TEST(DistanceField, MadeAnewNearPatchesIsTheOneOfTheWholeMap) {
   Rng rng(3);
-  const auto below = [&](int limit) { return static_cast<int>(rng.below(limit)); };
+  const auto below = [&](int limit) {
+    return static_cast<int>(rng.below(static_cast<std::size_t>(limit)));
+  };
   int changed = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const Lattice lattice(1 + below(900), 1 + below(700), rng.uniform(0.1, 0.5), {});
