@@ -20,6 +20,7 @@ constexpr std::size_t kLikeliest = 4, kInTurn = 4, kAtOnce = 40;
 constexpr double kMargin = 6.0;        // log odds below the best at which a place is ruled out
 constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
 constexpr double kScaleShare = 0.25;
+constexpr double kRough = 0.12;  // m, above: errors are the map's, alike for all scans nearby
 constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
 constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
 constexpr double kMostBesideScan = 7.0;  // that a sense says in all, where the laser sees as well
@@ -176,7 +177,8 @@ Eigen::ArrayXXd Hypotheses::scores(const Observations& observations) const {
 /// Of log odds. Where walls are rough, the true place may fit worse than another.
 double Hypotheses::loss(double error, double usual) const {
   const double level = std::max(least_error_, usual);
-  return std::max(0.0, error - tolerated(level)) / std::max(kScale, kScaleShare * level);
+  const double share = kScaleShare * std::max(1.0, level / kRough);
+  return std::max(0.0, error - tolerated(level)) / std::max(kScale, share * level);
 }
 
 double Hypotheses::tolerated(double level) const {

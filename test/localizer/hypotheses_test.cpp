@@ -112,6 +112,21 @@ TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
   EXPECT_LT(before, 0.95);
 }
 
+/// From 0.12 m on evidence falls with the square of what is usual, and by what is tolerated.
+TEST(Hypotheses, WhereErrorsAreTheMapsManyScansSayNoMoreThanOne) {
+  const auto logOddsOfTruth = [](double usual) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth, 0.0);
+    hypotheses.add(kWrong, 0.0);
+    hypotheses.weigh(seenAt(kTruth), 0.2, usual);
+    const double mass = massOf(hypotheses, kTruth);
+    return std::log(mass / (1.0 - mass));
+  };
+  EXPECT_GT(logOddsOfTruth(0.12), 1.0);
+  EXPECT_LT(logOddsOfTruth(0.24), 0.2 * logOddsOfTruth(0.12));
+  EXPECT_GT(logOddsOfTruth(0.12), 0.3 * logOddsOfTruth(0.06)) << "not below";
+}
+
 /// The field of a world with thick walls elsewhere, whose depth varies by more than 1 m.
 std::shared_ptr<const DistanceField> fieldWithRoughWalls(const OccupancyGrid& world) {
   const Lattice& inner = world.lattice();
