@@ -63,6 +63,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
 std::vector<OptionDescription> LocalizationNode::configure(const Parameters& given) {
   const Parameters parameters = withCacheDir(given);
   const auto all = allOptions(parameters);
+  is_preparation_current_ = false;
   if (localizer_) localizer_->configure(parameters);
   if (localizer_ && haveOtherPlaces(parameters, parameters_)) {
     const auto places = PlacesMaker::make(map_, parameters, !is_map_updated_);
@@ -70,7 +71,6 @@ std::vector<OptionDescription> LocalizationNode::configure(const Parameters& giv
     places_.use(places);
   }
   parameters_ = parameters;
-  is_preparation_current_ = false;
   options_ = liveOptions(parameters, options_);
   pose_keeper_.setRate(options_.save_pose_rate);
   return all;
