@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/eval/arguments.hpp"
-#include "adaptive_localization/eval/map_spoiler.hpp"
-#include "adaptive_localization/eval/program.hpp"
-#include "adaptive_localization/eval/spoil.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "eval/arguments.hpp"
+#include "eval/map_spoiler.hpp"
+#include "eval/program.hpp"
+#include "eval/spoil.hpp"
+#include "sim/rasterize.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/eval/energy_command.hpp"
-#include "adaptive_localization/eval/energy_picture.hpp"
-#include "adaptive_localization/eval/program.hpp"
-#include "adaptive_localization/eval/progress_bar.hpp"
-#include "adaptive_localization/eval/stopwatch.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/ser/place_search.hpp"
+#include "eval/energy_command.hpp"
+#include "eval/energy_picture.hpp"
+#include "eval/program.hpp"
+#include "eval/progress_bar.hpp"
+#include "eval/stopwatch.hpp"
+#include "map/ray_caster.hpp"
+#include "ser/place_search.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,13 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/eval/experiment_command.hpp"
-#include "adaptive_localization/eval/experiment_file.hpp"
-#include "adaptive_localization/eval/experiment_plot.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
-#include "adaptive_localization/eval/program.hpp"
-#include "adaptive_localization/eval/progress_bar.hpp"
-#include "adaptive_localization/eval/report.hpp"
+#include "eval/experiment_command.hpp"
+#include "eval/experiment_file.hpp"
+#include "eval/program.hpp"
+#include "eval/progress_bar.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -34,28 +31,7 @@ void list(const std::vector<PlannedRun>& runs) {
   for (const auto& [name, count] : counts) std::cout << name << ": " << count << " runs\n";
 }
 
-void report(const ExperimentCommand& command, const std::vector<ExperimentResult>& results) {
-  const auto summaries = summarize(results);
-  if (!command.json_file.empty()) {
-    nlohmann::json json = nlohmann::json::array();
-    for (const auto& summary : summaries) json.push_back(toJson(summary));
-    saveJson(json, command.json_file);
-  }
-  if (!command.plot_file.empty()) savePlot(summaries, command.plot_file);
-  if (!command.is_quiet) std::cout << toTables(summaries);
-}
-
-void summarizeFiles(const ExperimentCommand& command) {
-  std::vector<ExperimentResult> results;
-  for (const auto& file : command.files) {
-    const auto more = readResults(file);
-    results.insert(results.end(), more.begin(), more.end());
-  }
-  report(command, results);
-}
-
 void run(const ExperimentCommand& command) {
-  if (command.is_summary) return summarizeFiles(command);
   const auto experiments = load(command);
   const auto runs = planRuns(experiments, command.shard, command.words);
   if (command.is_list) return list(runs);
@@ -65,15 +41,12 @@ void run(const ExperimentCommand& command) {
     std::cerr << "experiments: " << runs.size() - missing.size() << " of " << runs.size()
               << " runs are there already\n";
   }
-  {
-    ProgressBar bar(missing.size(), !command.is_quiet, "runs");
-    std::size_t done = 0;
-    makeRuns(missing, command.jobs, [&](const ExperimentResult& result) {
-      file.add(result);
-      bar.show(++done);
-    });
-  }
-  report(command, file.results());
+  ProgressBar bar(missing.size(), !command.is_quiet, "runs");
+  std::size_t done = 0;
+  makeRuns(missing, command.jobs, [&](const ExperimentResult& result) {
+    file.add(result);
+    bar.show(++done);
+  });
 }
 
 }  // namespace

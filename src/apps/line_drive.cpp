@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Experiment E20: how a Kalman filter's ellipse grows while it observes nothing, and what lines
 // change about it.
-#include "adaptive_localization/eval/line_drive.hpp"
+#include "eval/line_drive.hpp"
 
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/eval/arguments.hpp"
-#include "adaptive_localization/eval/program.hpp"
+#include "eval/arguments.hpp"
+#include "eval/program.hpp"
 
 namespace adaptive_localization {
 namespace {

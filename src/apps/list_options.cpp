@@ -5,6 +5,7 @@
 #include <exception>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -12,13 +13,15 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../ros/node_options.hpp"
 #include "../ros/reconfigure_fields.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "core/audience.hpp"
+#include "match/scan_matcher.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -78,8 +81,13 @@ Values defaultValues() {
   return values;
 }
 
-void printTable(const std::string& title, const std::vector<OptionDescription>& options,
-                const Values& values) {
+/// Those for an audience; nothing if there are none.
+void printTable(const std::string& title, const std::vector<OptionDescription>& all,
+                const Values& values, Audience audience) {
+  std::vector<OptionDescription> options;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(options),
+               [&](const auto& option) { return audienceOf(option.key) == audience; });
+  if (options.empty()) return;
   std::cout << "**" << title
             << "**\n\n| option | default | allowed | meaning |\n|---|---|---|---|\n";
   for (const auto& option : options) {
@@ -111,15 +119,24 @@ void printTables() {
   std::cout << "\nDefaults are those of the default core, " << LocalizerOptions{}.filter
             << ", with its recommended preset.\n\n";
   const Values values = defaultValues();
-  printTable("Localizer", describe(LocalizerOptions{}), values);
-  printTable("Scans", describe(ScanOptions{}), values);
-  printTable("Filters", optionsOfAll(builtins()), values);
-  printTable("Matching scans", describe(MatchOptions{}), values);
-  printTable("Confidence and status", describe(ConfidenceOptions{}), values);
-  printTable("Compass", describe(CompassOptions{}), values);
-  printTable("Energy grid", describe(EnergyGridOptions{}), values);
-  printTable("Global search", describe(GlobalSearchOptions{}), values);
-  printTable("Node only", describe(NodeOptions{}), values);
+  const std::vector<std::pair<std::string, std::vector<OptionDescription>>> tables{
+      {"Localizer", describe(LocalizerOptions{})},
+      {"Node only", describe(NodeOptions{})},
+      {"Scans", describe(ScanOptions{})},
+      {"Filters", optionsOfAll(builtins())},
+      {"Matching scans", describe(MatchOptions{})},
+      {"Confidence and status", describe(ConfidenceOptions{})},
+      {"Compass", describe(CompassOptions{})},
+      {"Energy grid", describe(EnergyGridOptions{})},
+      {"Global search", describe(GlobalSearchOptions{})}};
+  const std::vector<std::pair<Audience, std::string>> parts{
+      {Audience::kUsers, "Options for users: what a robot and its place need"},
+      {Audience::kAmcl, "amcl's options: the same names and meanings"},
+      {Audience::kExperts, "Options for experts: how the algorithms work"}};
+  for (const auto& [audience, heading] : parts) {
+    std::cout << "## " << heading << "\n\n";
+    for (const auto& [title, options] : tables) printTable(title, options, values, audience);
+  }
 }
 
 void printYaml(const std::string& core, const std::string& preset) {

@@ -10,17 +10,17 @@
 
 #include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
-#include "adaptive_localization/core/suggestion.hpp"
-#include "adaptive_localization/eval/log_reader.hpp"
-#include "adaptive_localization/eval/plot.hpp"
-#include "adaptive_localization/eval/program.hpp"
-#include "adaptive_localization/eval/progress_bar.hpp"
-#include "adaptive_localization/eval/replay_command.hpp"
-#include "adaptive_localization/eval/report.hpp"
-#include "adaptive_localization/eval/search_run.hpp"
-#include "adaptive_localization/eval/start.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/observation/landmark_model.hpp"
+#include "core/suggestion.hpp"
+#include "eval/log_reader.hpp"
+#include "eval/plot.hpp"
+#include "eval/program.hpp"
+#include "eval/progress_bar.hpp"
+#include "eval/replay_command.hpp"
+#include "eval/report.hpp"
+#include "eval/search_run.hpp"
+#include "eval/start.hpp"
+#include "observation/landmark_model.hpp"
 
 namespace adaptive_localization {
 namespace {

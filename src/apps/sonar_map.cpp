@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Experiment E19: makes maps of what sonars heard, and compares them with the truth.
-#include "adaptive_localization/eval/sonar_map.hpp"
+#include "eval/sonar_map.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/eval/log_reader.hpp"
-#include "adaptive_localization/eval/program.hpp"
-#include "adaptive_localization/eval/progress_bar.hpp"
-#include "adaptive_localization/eval/report.hpp"
-#include "adaptive_localization/eval/sonar_map_command.hpp"
-#include "adaptive_localization/eval/sonar_map_picture.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "eval/log_reader.hpp"
+#include "eval/program.hpp"
+#include "eval/progress_bar.hpp"
+#include "eval/report.hpp"
+#include "eval/sonar_map_command.hpp"
+#include "eval/sonar_map_picture.hpp"
 
 namespace adaptive_localization {
 namespace {

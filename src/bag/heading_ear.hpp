@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/core/heading_history.hpp"
-#include "adaptive_localization/core/heading_topics.hpp"
 #include "bag_stream.hpp"
+#include "core/heading_history.hpp"
+#include "core/heading_topics.hpp"
 #include "heading_messages.hpp"
 
 namespace adaptive_localization {

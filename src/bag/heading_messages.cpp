@@ -8,7 +8,7 @@
 #include <string>
 
 #include "adaptive_localization/core/pose2.hpp"
-#include "adaptive_localization/core/refusal.hpp"
+#include "core/refusal.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/core/landmark_topics.hpp"
 #include "adaptive_localization/core/observations.hpp"
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "core/landmark_topics.hpp"
 #include "heading_ear.hpp"
+#include "map/landmark_map.hpp"
 
 namespace adaptive_localization {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/core/refusal.hpp"
+#include "core/refusal.hpp"
 
 namespace adaptive_localization {
 namespace {

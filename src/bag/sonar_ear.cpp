@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/core/name_list.hpp"
-#include "adaptive_localization/core/refusal.hpp"
+#include "core/name_list.hpp"
+#include "core/refusal.hpp"
 #include "names.hpp"
 
 namespace adaptive_localization {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "adaptive_localization/core/observations.hpp"
-#include "adaptive_localization/core/sonar_topics.hpp"
 #include "bag_stream.hpp"
+#include "core/sonar_topics.hpp"
 #include "heading_ear.hpp"
 #include "sonar_array.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/heading_history.hpp"
+#include "core/heading_history.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "adaptive_localization/core/pose2.hpp"
-#include "adaptive_localization/core/refusal.hpp"
+#include "core/refusal.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 #include <atomic>
 #include <opencv2/core.hpp>

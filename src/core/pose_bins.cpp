@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/pose_bins.hpp"
+#include "core/pose_bins.hpp"
 
 #include <algorithm>
 #include <cmath>

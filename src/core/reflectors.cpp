@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/reflectors.hpp"
+#include "core/reflectors.hpp"
 
 #include <algorithm>
 #include <cmath>

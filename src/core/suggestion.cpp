@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/suggestion.hpp"
+#include "core/suggestion.hpp"
 
 #include <algorithm>
 

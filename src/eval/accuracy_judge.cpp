@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/eval/consistency.hpp"
-#include "adaptive_localization/eval/statistics.hpp"
+#include "eval/consistency.hpp"
+#include "eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "adaptive_localization/eval/error_bound.hpp"
-#include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "eval/error_bound.hpp"
+#include "eval/experiment_result.hpp"
 
 namespace adaptive_localization {
 

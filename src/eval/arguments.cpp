@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/arguments.hpp"
+#include "eval/arguments.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
+#include "core/suggestion.hpp"
 
 namespace adaptive_localization {
 namespace {

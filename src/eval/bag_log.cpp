@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/bag_log.hpp"
+#include "eval/bag_log.hpp"
 
 #include <console_bridge/console.h>
 #include <geometry_msgs/PoseStamped.h>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "../bag/names.hpp"
-#include "adaptive_localization/eval/log.hpp"
+#include "eval/log.hpp"
 
 namespace adaptive_localization {
 

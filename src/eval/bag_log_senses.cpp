@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "adaptive_localization/core/name_list.hpp"
+#include "core/name_list.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -11,10 +11,10 @@
 #include "../bag/heading_ear.hpp"
 #include "../bag/sighting_ear.hpp"
 #include "../bag/sonar_ear.hpp"
-#include "adaptive_localization/core/background.hpp"
-#include "adaptive_localization/eval/log.hpp"
 #include "bag_log_frames.hpp"
 #include "bag_log_topics.hpp"
+#include "core/background.hpp"
+#include "eval/log.hpp"
 
 namespace adaptive_localization {
 

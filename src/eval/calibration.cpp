@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/calibration.hpp"
+#include "eval/calibration.hpp"
 
 #include <algorithm>
-
-#include "json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace adaptive_localization {
 
@@ -14,28 +13,8 @@ void Calibration::note(double confidence, double error_m) {
   near[tenth] += error_m < kNear;
 }
 
-void Calibration::add(const Calibration& other) {
-  for (std::size_t i = 0; i < kTenths; ++i) {
-    scans[i] += other.scans[i];
-    near[i] += other.near[i];
-  }
-}
-
-std::vector<std::optional<double>> Calibration::shares() const {
-  std::vector<std::optional<double>> shares(kTenths);
-  for (std::size_t i = 0; i < kTenths; ++i) {
-    if (scans[i] > 0) shares[i] = static_cast<double>(near[i]) / scans[i];
-  }
-  return shares;
-}
-
 void to_json(nlohmann::json& json, const Calibration& calibration) {
   json = {{"scans", calibration.scans}, {"near", calibration.near}};
-}
-
-void from_json(const nlohmann::json& json, Calibration& calibration) {
-  json.at("scans").get_to(calibration.scans);
-  json.at("near").get_to(calibration.near);
 }
 
 }  // namespace adaptive_localization

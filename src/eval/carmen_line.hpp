@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/eval/log.hpp"
+#include "eval/log.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/carmen_log.hpp"
+#include "eval/carmen_log.hpp"
 
 #include <algorithm>
 #include <boost/iostreams/filter/bzip2.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/damage.hpp"
+#include "eval/damage.hpp"
 
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
+#include "core/suggestion.hpp"
 
 namespace adaptive_localization {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/energy_command.hpp"
+#include "eval/energy_command.hpp"
 
 #include <cstdio>
 #include <stdexcept>
 
-#include "adaptive_localization/eval/arguments.hpp"
+#include "eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {

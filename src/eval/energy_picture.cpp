@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/energy_picture.hpp"
+#include "eval/energy_picture.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_command.hpp"
+#include "eval/experiment_command.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <thread>
 
-#include "adaptive_localization/eval/arguments.hpp"
+#include "eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -34,10 +34,7 @@ bool addOverride(const std::string& argument, Overrides& overrides) {
 
 void check(const ExperimentCommand& command) {
   if (command.files.empty()) throw std::invalid_argument("no file is given");
-  if (command.is_summary && !command.out_file.empty()) {
-    throw std::invalid_argument("--summary and --out exclude each other");
-  }
-  if (!command.is_summary && !command.is_list && command.out_file.empty()) {
+  if (!command.is_list && command.out_file.empty()) {
     throw std::invalid_argument("--out is missing");
   }
 }
@@ -46,10 +43,10 @@ void check(const ExperimentCommand& command) {
 
 std::string experimentUsage() {
   return R"(usage: experiments EXPERIMENT.yaml ... --out RESULTS.jsonl [options] [KEY:=VALUE ...]
-       experiments --summary RESULTS.jsonl ... [--json FILE] [--plot FILE]
 
 Drives simulated robots through experiments, in parallel, and writes one JSON line per run. Runs
 that RESULTS.jsonl holds already are not made again: after an interruption, say the same again.
+scripts/summarize RESULTS.jsonl makes tables and plots of them.
 
   --out RESULTS.jsonl  where the results go
   --jobs N             runs at the same time (default: as many as there are processors)
@@ -60,9 +57,6 @@ that RESULTS.jsonl holds already are not made again: after an interruption, say 
   KEY:=VALUE           overrides what the file says (duration:=20, simulation.people:=3,
                        success.position:=0.3), or else an option of all cores (laser_max_beams:=30)
   --list               print what would be run
-  --summary            summarize files of results, and run nothing
-  --json FILE          write the summary
-  --plot FILE.png      draw which share of the robots was found after which time
   --quiet              print nothing but errors
   --help               print this
 )";
@@ -72,12 +66,9 @@ ExperimentCommand parseExperimentCommand(const std::vector<std::string>& argumen
   ExperimentCommand command;
   command.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   ArgumentParser parser;
-  parser.flag("--summary", command.is_summary);
   parser.flag("--list", command.is_list);
   parser.flag("--quiet", command.is_quiet);
   parser.text("--out", command.out_file);
-  parser.text("--json", command.json_file);
-  parser.text("--plot", command.plot_file);
   parser.option("--jobs", [&](const auto& v) { command.jobs = toCount("--jobs", v, 1024); });
   parser.option("--shard", [&](const auto& v) { command.shard = toShard(v); });
   parser.option("--seeds", [&](const auto& v) { command.seeds = toCount("--seeds", v, kMost); });

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/core/heading_history.hpp"
-#include "adaptive_localization/eval/experiment_site.hpp"
+#include "core/heading_history.hpp"
+#include "eval/experiment_site.hpp"
 #include "mission_record.hpp"
 
 namespace adaptive_localization {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_file.hpp"
+#include "eval/experiment_file.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -8,10 +8,8 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <map>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 namespace adaptive_localization {
 namespace {
@@ -23,9 +21,7 @@ bool isTaken(int descriptor) {
   return is_file && flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
-using Key = std::tuple<std::string, std::string, std::string, int>;
-
-Key keyOf(const RunId& id) {
+std::tuple<std::string, std::string, std::string, int> keyOf(const RunId& id) {
   return {id.experiment, id.of_case, id.label, id.seed};
 }
 
@@ -47,20 +43,6 @@ Lines readLines(const std::string& file) {
     }
   }
   return lines;
-}
-
-std::vector<ExperimentResult> parse(const Lines& lines, const std::string& file) {
-  std::vector<ExperimentResult> results;
-  for (std::size_t i = 0; i < lines.whole.size(); ++i) {
-    if (lines.whole[i].empty()) continue;
-    try {
-      results.push_back(fromLine(lines.whole[i]));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("results '" + file + "', line " + std::to_string(i + 1) + ": " +
-                                  error.what());
-    }
-  }
-  return results;
 }
 
 }  // namespace
@@ -85,15 +67,13 @@ class FileLock {
   int descriptor_;
 };
 
-std::vector<ExperimentResult> readResults(const std::string& file) {
-  return parse(readLines(file), file);
-}
-
 ExperimentFile::ExperimentFile(const std::string& file)
     : file_(file), lock_(std::make_shared<const FileLock>(file)) {
   if (std::filesystem::is_regular_file(file)) {
     const Lines lines = readLines(file);
-    results_ = parse(lines, file);
+    for (std::size_t i = 0; i < lines.whole.size(); ++i) {
+      if (!lines.whole[i].empty()) take(lines.whole[i], i + 1);
+    }
     if (!lines.rest.empty()) {
       std::filesystem::resize_file(file, std::filesystem::file_size(file) - lines.rest.size());
     }
@@ -103,13 +83,11 @@ ExperimentFile::ExperimentFile(const std::string& file)
 }
 
 std::vector<PlannedRun> ExperimentFile::missing(const std::vector<PlannedRun>& runs) const {
-  std::map<Key, std::string> settings;
-  for (const auto& result : results_) settings[keyOf(result.id)] = result.id.settings;
   std::vector<PlannedRun> left;
   for (const auto& run : runs) {
     const RunId id = run.id();
-    const auto found = settings.find(keyOf(id));
-    if (found == settings.end()) {
+    const auto found = settings_.find(keyOf(id));
+    if (found == settings_.end()) {
       left.push_back(run);
     } else if (found->second != id.settings) {
       throw std::invalid_argument("results '" + file_ + "': hold a run of " + id.name() +
@@ -123,7 +101,17 @@ std::vector<PlannedRun> ExperimentFile::missing(const std::vector<PlannedRun>& r
 void ExperimentFile::add(const ExperimentResult& result) {
   output_ << toLine(result) + "\n" << std::flush;
   if (!output_) throw std::runtime_error("results '" + file_ + "': cannot be written");
-  results_.push_back(result);
+  settings_[keyOf(result.id)] = result.id.settings;
+}
+
+void ExperimentFile::take(const std::string& line, std::size_t number) {
+  try {
+    const RunId id = idOf(line);
+    settings_[keyOf(id)] = id.settings;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("results '" + file_ + "', line " + std::to_string(number) + ": " +
+                                error.what());
+  }
 }
 
 }  // namespace adaptive_localization

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/eval/metrics.hpp"
-#include "adaptive_localization/eval/statistics.hpp"
+#include "eval/metrics.hpp"
+#include "eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {

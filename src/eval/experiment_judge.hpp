@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "accuracy_judge.hpp"
-#include "adaptive_localization/eval/experiment.hpp"
-#include "adaptive_localization/eval/experiment_result.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "eval/experiment.hpp"
+#include "eval/experiment_result.hpp"
 
 namespace adaptive_localization {
 

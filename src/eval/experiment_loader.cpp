@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_loader.hpp"
+#include "eval/experiment_loader.hpp"
 
 #include <algorithm>
 #include <filesystem>

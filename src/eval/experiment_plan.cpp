@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_plan.hpp"
+#include "eval/experiment_plan.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "eval/experiment_run.hpp"
 #include "fingerprint.hpp"
 
 namespace adaptive_localization {

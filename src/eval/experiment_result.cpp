@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_result.hpp"
+#include "eval/experiment_result.hpp"
 
 #include <stdexcept>
 
@@ -10,8 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// These call item(key, member) for all members, so that they are named in one place for writing and
-// for reading.
+// These call item(key, member) for all members.
 
 template <class Stored, class Item>
 void visitTrial(Stored& trial, Item&& item) {
@@ -97,11 +96,6 @@ auto into(Json& json) {
   return [&json](const char* key, const auto& value) { json[key] = value; };
 }
 
-/// Reads one.
-auto outOf(const Json& json) {
-  return [&json](const char* key, auto& value) { json.at(key).get_to(value); };
-}
-
 }  // namespace
 
 // By these names the JSON library finds them.
@@ -109,35 +103,17 @@ auto outOf(const Json& json) {
 void to_json(Json& json, const Pose2& pose) {
   json = {pose.x, pose.y, pose.theta};
 }
-void from_json(const Json& json, Pose2& pose) {
-  pose = {json.at(0), json.at(1), json.at(2)};
-}
 
 void to_json(Json& json, Trial::Kind kind) {
   json = toText(kind);
-}
-void from_json(const Json& json, Trial::Kind& kind) {
-  const auto text = json.get<std::string>();
-  for (const auto known : {Trial::Kind::kKnownStart, Trial::Kind::kWrongStart, Trial::Kind::kStart,
-                           Trial::Kind::kKidnap}) {
-    kind = known;
-    if (toText(kind) == text) return;
-  }
-  throw std::invalid_argument("'kind': got '" + text + "'");
 }
 
 void to_json(Json& json, const Trial& trial) {
   visitTrial(trial, into(json));
 }
-void from_json(const Json& json, Trial& trial) {
-  visitTrial(trial, outOf(json));
-}
 
 void to_json(Json& json, const Accuracy& accuracy) {
   visitAccuracy(accuracy, into(json));
-}
-void from_json(const Json& json, Accuracy& accuracy) {
-  visitAccuracy(accuracy, outOf(json));
 }
 
 std::string toText(Trial::Kind kind) {
@@ -159,12 +135,11 @@ std::string toLine(const ExperimentResult& result) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-ExperimentResult fromLine(const std::string& line) {
+RunId idOf(const std::string& line) {
   try {
     const Json json = Json::parse(line);
-    ExperimentResult result;
-    visitResult(result, outOf(json));
-    return result;
+    return {json.at("experiment"), json.at("case"), json.at("label"), json.at("seed"),
+            json.at("settings")};
   } catch (const std::exception& error) {
     throw std::invalid_argument(std::string("no result of an experiment: ") + error.what());
   }

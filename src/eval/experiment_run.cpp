@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "eval/experiment_run.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
 
-#include "adaptive_localization/core/reflectors.hpp"
-#include "adaptive_localization/core/suggestion.hpp"
-#include "adaptive_localization/eval/start.hpp"
-#include "adaptive_localization/eval/stopwatch.hpp"
+#include "core/reflectors.hpp"
+#include "core/suggestion.hpp"
+#include "eval/start.hpp"
+#include "eval/stopwatch.hpp"
 #include "experiment_drive.hpp"
 #include "experiment_judge.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_site.hpp"
+#include "eval/experiment_site.hpp"
 
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "sim/rasterize.hpp"
 
 namespace adaptive_localization {
 

@@ -2,7 +2,7 @@
 // The parts of an experiment's file.
 #pragma once
 
-#include "adaptive_localization/eval/experiment.hpp"
+#include "eval/experiment.hpp"
 #include "yaml_value.hpp"
 
 namespace adaptive_localization {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "adaptive_localization/eval/experiment.hpp"
+#include "eval/experiment.hpp"
 #include "yaml_value.hpp"
 
 namespace adaptive_localization {

@@ -12,13 +12,6 @@ struct adl_serializer<std::optional<Value>> {
   static void to_json(json& json, const std::optional<Value>& value) {
     json = value ? nlohmann::json(*value) : nlohmann::json();
   }
-  static void from_json(const json& json, std::optional<Value>& value) {
-    if (json.is_null()) {
-      value.reset();
-    } else {
-      value = json.get<Value>();
-    }
-  }
 };
 
 }  // namespace nlohmann

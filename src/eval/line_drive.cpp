@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/line_drive.hpp"
+#include "eval/line_drive.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -8,11 +8,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
-#include "adaptive_localization/match/line_map.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
-#include "adaptive_localization/sim/simulation.hpp"
+#include "core/suggestion.hpp"
+#include "match/line_map.hpp"
+#include "sim/rasterize.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "adaptive_localization/eval/line_drive.hpp"
 #include "canvas.hpp"
+#include "eval/line_drive.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/log_reader.hpp"
+#include "eval/log_reader.hpp"
 
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/eval/carmen_log.hpp"
+#include "eval/carmen_log.hpp"
 #ifdef ADAPTIVE_LOCALIZATION_WITH_ROSBAG
-#include "adaptive_localization/eval/bag_log.hpp"
+#include "eval/bag_log.hpp"
 #endif
 
 namespace adaptive_localization {

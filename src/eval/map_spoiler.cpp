@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/map_spoiler.hpp"
+#include "eval/map_spoiler.hpp"
 
 #include <algorithm>
 #include <cmath>

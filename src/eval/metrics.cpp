@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/metrics.hpp"
+#include "eval/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/eval/consistency.hpp"
-#include "adaptive_localization/eval/statistics.hpp"
+#include "eval/consistency.hpp"
+#include "eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "adaptive_localization/sim/simulation.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/plot.hpp"
+#include "eval/plot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/progress_bar.hpp"
+#include "eval/progress_bar.hpp"
 
 #include <unistd.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/replay_command.hpp"
+#include "eval/replay_command.hpp"
 
 #include <stdexcept>
 
-#include "adaptive_localization/eval/arguments.hpp"
+#include "eval/arguments.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/report.hpp"
+#include "eval/report.hpp"
 
 #include <fstream>
 #include <iomanip>

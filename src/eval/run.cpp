@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/run.hpp"
+#include "eval/run.hpp"
 
 #include <sys/resource.h>
 
 #include <stdexcept>
 #include <string>
 
-#include "adaptive_localization/core/reflectors.hpp"
-#include "adaptive_localization/eval/stopwatch.hpp"
+#include "core/reflectors.hpp"
+#include "eval/stopwatch.hpp"
 
 namespace adaptive_localization {
 namespace {

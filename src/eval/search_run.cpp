@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/search_run.hpp"
+#include "eval/search_run.hpp"
 
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/eval/statistics.hpp"
-#include "adaptive_localization/eval/stopwatch.hpp"
+#include "eval/statistics.hpp"
+#include "eval/stopwatch.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/sonar_drive.hpp"
+#include "eval/sonar_drive.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/sonar_map.hpp"
+#include "eval/sonar_map.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/map/evidence_models.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "map/evidence_models.hpp"
+#include "sim/rasterize.hpp"
 
 namespace adaptive_localization {
 

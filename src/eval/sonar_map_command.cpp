@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/sonar_map_command.hpp"
+#include "eval/sonar_map_command.hpp"
 
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
-#include "adaptive_localization/eval/arguments.hpp"
-#include "adaptive_localization/map/evidence_models.hpp"
+#include "core/suggestion.hpp"
+#include "eval/arguments.hpp"
+#include "map/evidence_models.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/sonar_map_picture.hpp"
+#include "eval/sonar_map_picture.hpp"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "adaptive_localization/eval/sonar_map_picture.hpp"
-#include "adaptive_localization/map/evidence_models.hpp"
 #include "canvas.hpp"
+#include "eval/sonar_map_picture.hpp"
+#include "map/evidence_models.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/spoil.hpp"
+#include "eval/spoil.hpp"
 
 #include <iomanip>
 #include <sstream>
 #include <utility>
 
-#include "adaptive_localization/eval/arguments.hpp"
-#include "adaptive_localization/eval/log_spoiler.hpp"
-#include "adaptive_localization/eval/map_spoiler.hpp"
+#include "eval/arguments.hpp"
+#include "eval/log_spoiler.hpp"
+#include "eval/map_spoiler.hpp"
 
 namespace adaptive_localization {
 namespace {

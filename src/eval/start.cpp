@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/start.hpp"
+#include "eval/start.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,13 +3,13 @@
 
 #include <stdexcept>
 
-#include "adaptive_localization/map/segment_index.hpp"
-#include "adaptive_localization/match/line_map.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
-#include "adaptive_localization/particle/kidnap_test.hpp"
 #include "elsewhere.hpp"
 #include "grid_filters.hpp"
 #include "kalman_filters.hpp"
+#include "map/segment_index.hpp"
+#include "match/line_map.hpp"
+#include "particle/kidnap_test.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
 #include "swarm_filter.hpp"

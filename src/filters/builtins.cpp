@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adaptive_localization/filters/builtins.hpp"
 
-#include "adaptive_localization/motion/differential_drive.hpp"
-#include "adaptive_localization/motion/omni_drive.hpp"
-#include "adaptive_localization/observation/heading_prior.hpp"
-#include "adaptive_localization/observation/landmark_model.hpp"
-#include "adaptive_localization/observation/likelihood_field.hpp"
-#include "adaptive_localization/observation/range_models.hpp"
-#include "adaptive_localization/observation/sonar_model.hpp"
 #include "builtin_filters.hpp"
+#include "motion/differential_drive.hpp"
+#include "motion/omni_drive.hpp"
+#include "observation/heading_prior.hpp"
+#include "observation/landmark_model.hpp"
+#include "observation/likelihood_field.hpp"
+#include "observation/range_models.hpp"
+#include "observation/sonar_model.hpp"
 #include "observation/thick_walls_field.hpp"
 
 namespace adaptive_localization {

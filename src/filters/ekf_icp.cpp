@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
+#include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -8,12 +8,12 @@
 
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/filters/filter.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
-#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "match/scan_matcher.hpp"
 #include "match/scan_tracker.hpp"
 #include "match/sonar_line_matcher.hpp"
+#include "particle/pose_sampler.hpp"
 
 namespace adaptive_localization {
 

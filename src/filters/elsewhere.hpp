@@ -6,7 +6,7 @@
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/ser/ground.hpp"
-#include "adaptive_localization/ser/place_sampler.hpp"
+#include "ser/place_sampler.hpp"
 
 namespace adaptive_localization {
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/match/line_matcher.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "ekf_icp.hpp"
 #include "elsewhere.hpp"
+#include "match/line_matcher.hpp"
 #include "presets.hpp"
 
 namespace adaptive_localization {

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/swarm/field_objective.hpp"
+#include "swarm/field_objective.hpp"
 
 namespace adaptive_localization {
 

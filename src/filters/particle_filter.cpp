@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/summary.hpp"
+#include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -6,10 +6,10 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
-#include "adaptive_localization/particle/exploration.hpp"
-#include "adaptive_localization/particle/pose_sampler.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
-#include "adaptive_localization/particle/sample_size.hpp"
+#include "particle/exploration.hpp"
+#include "particle/pose_sampler.hpp"
+#include "particle/sample_size.hpp"
 
 namespace adaptive_localization {
 

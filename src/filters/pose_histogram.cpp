@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
+#include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "adaptive_localization/core/error_text.hpp"
+#include "core/error_text.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "adaptive_localization/particle/summary.hpp"
-#include "adaptive_localization/swarm/leaders.hpp"
+#include "swarm/leaders.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm/swarm_move.hpp"
 
 namespace adaptive_localization {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
-#include "adaptive_localization/ser/global_search.hpp"
+#include "particle/gaussian_cloud.hpp"
+#include "ser/global_search.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -9,9 +9,9 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
-#include "adaptive_localization/particle/pose_sampler.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
 #include "match/scan_tracker.hpp"
+#include "particle/pose_sampler.hpp"
+#include "swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
 
 namespace adaptive_localization {

@@ -2,7 +2,7 @@
 // Where a swarm looks that does not know where it is, or does not believe it any more.
 #include <algorithm>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
+#include "particle/gaussian_cloud.hpp"
 #include "swarm_filter.hpp"
 
 namespace adaptive_localization {

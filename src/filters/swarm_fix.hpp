@@ -9,10 +9,10 @@
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/match/match.hpp"
-#include "adaptive_localization/ser/places.hpp"
-#include "adaptive_localization/swarm/field_objective.hpp"
-#include "adaptive_localization/swarm/range_objective.hpp"
-#include "adaptive_localization/swarm/swarm_search.hpp"
+#include "ser/places.hpp"
+#include "swarm/field_objective.hpp"
+#include "swarm/range_objective.hpp"
+#include "swarm/swarm_search.hpp"
 #include "swarm_price.hpp"
 
 namespace adaptive_localization {

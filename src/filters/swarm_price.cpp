@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/swarm/leaders.hpp"
+#include "swarm/leaders.hpp"
 
 namespace adaptive_localization {
 namespace {

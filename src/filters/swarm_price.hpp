@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm/swarm_move.hpp"
 
 namespace adaptive_localization {
 

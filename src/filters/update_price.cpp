@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "adaptive_localization/core/scan.hpp"
-#include "adaptive_localization/particle/sample_size.hpp"
+#include "particle/sample_size.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
+#include "match/scan_matcher.hpp"
 #include "match/scan_tracker.hpp"
 
 namespace adaptive_localization {

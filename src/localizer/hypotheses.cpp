@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/hypotheses.hpp"
+#include "localizer/hypotheses.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "adaptive_localization/localizer/search_pace.hpp"
-#include "adaptive_localization/ser/place.hpp"
 #include "kept_place.hpp"
+#include "localizer/search_pace.hpp"
+#include "ser/place.hpp"
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "adaptive_localization/localizer/hypotheses.hpp"
-#include "adaptive_localization/localizer/usual_error.hpp"
+#include "localizer/hypotheses.hpp"
+#include "localizer/usual_error.hpp"
 #include "match/pose_kalman.hpp"
 #include "ser/place_refiner.hpp"
 

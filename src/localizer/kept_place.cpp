@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "adaptive_localization/localizer/usual_error.hpp"
+#include "localizer/usual_error.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "core/parallel.hpp"
 #include "estimate_refiner.hpp"
+#include "localizer/recovery.hpp"
 #include "occlusion.hpp"
+#include "prepared_map.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -64,47 +66,18 @@ Localizer::Localizer(const Parameters& parameters, Ground ground) {
   build(reader_.read(parameters), std::move(ground), std::nullopt);
 }
 
-struct Localizer::Preparation {
-  Preparation(std::shared_ptr<const SetupReader> the_reader, Setup the_setup, Ground the_ground);
-
-  std::shared_ptr<const SetupReader> reader;
-  Setup setup;
-  Ground ground;
-  std::unique_ptr<Filter> filter;
-  Senses senses;
-  std::unique_ptr<EstimateRefiner> refiner;
-};
-
-Localizer::Preparation::Preparation(std::shared_ptr<const SetupReader> the_reader, Setup the_setup,
-                                    Ground the_ground)
-    : reader(std::move(the_reader)), setup(std::move(the_setup)), ground(std::move(the_ground)) {
-  if (!ground.places) {
-    ground.places = std::make_shared<Places>(ground.map, ground.field,
-                                             setup.parameters.read<EnergyGridOptions>(),
-                                             setup.parameters.read<GlobalSearchOptions>());
-  }
-  const Registries& registries = reader->registries();
-  const FilterContext context{registries, ground, setup.parameters,
-                              static_cast<std::uint64_t>(setup.options.seed)};
-  filter = registries.filters.make(setup.options.filter, context);
-  senses = makeSenses(registries.senses, context.parameters, ground.map, ground.field);
-  if (setup.options.refine) {
-    refiner = makeEstimateRefiner(registries.motions, context.parameters, ground, senses);
-  }
-  setup.parameters = context.parameters;  // knows what the filter has read
-}
-
 void Localizer::build(Setup setup, Ground ground, const std::optional<Prior>& belief) {
-  Preparation prepared(std::make_shared<const SetupReader>(reader_), std::move(setup),
+  PreparedMap prepared(std::make_shared<const SetupReader>(reader_), std::move(setup),
                        std::move(ground));
   use(prepared, belief);
 }
 
 /// Makes all that can fail before anything is replaced.
-void Localizer::use(Preparation& prepared, const std::optional<Prior>& belief) {
+void Localizer::use(PreparedMap& prepared, const std::optional<Prior>& belief) {
   if (belief) prepared.filter->reset(*belief);
-  Recovery recovery(prepared.setup.confidence, prepared.ground, prepared.senses);
-  if (recovery_) recovery.goOnFrom(*recovery_);
+  auto recovery =
+      std::make_unique<Recovery>(prepared.setup.confidence, prepared.ground, prepared.senses);
+  if (recovery_) recovery->goOnFrom(*recovery_);
 
   setThreads(prepared.setup.options.threads);
   compass_.configure(prepared.setup.compass);
@@ -114,10 +87,14 @@ void Localizer::use(Preparation& prepared, const std::optional<Prior>& belief) {
   refiner_ = std::move(prepared.refiner);
   used_reader_ = std::move(prepared.reader);
   match_.reset();
-  recovery_.emplace(std::move(recovery));
+  recovery_ = std::move(recovery);
 }
 
 Localizer::~Localizer() = default;
+
+const Confidence& Localizer::confidence() const {
+  return recovery_->fit();
+}
 
 void Localizer::configure(const Parameters& parameters) {
   Setup setup = reader_.read(parameters);
@@ -127,9 +104,9 @@ void Localizer::configure(const Parameters& parameters) {
       !ground.places) {
     return build(std::move(setup), std::move(ground), belief());
   }
-  Recovery recovery(setup.confidence, ground, recovery_->senses());
-  recovery.goOnFrom(*recovery_);
-  recovery_.emplace(std::move(recovery));
+  auto recovery = std::make_unique<Recovery>(setup.confidence, ground, recovery_->senses());
+  recovery->goOnFrom(*recovery_);
+  recovery_ = std::move(recovery);
   setThreads(setup.options.threads);
   compass_.configure(setup.compass);
   setup_ = std::move(setup);
@@ -167,13 +144,13 @@ void Localizer::setMap(Ground ground) {
   requestUpdate();
 }
 
-std::function<std::shared_ptr<Localizer::Preparation>(Ground)> Localizer::preparer() const {
+std::function<std::shared_ptr<PreparedMap>(Ground)> Localizer::preparer() const {
   return [reader = std::make_shared<const SetupReader>(reader_), setup = setup_](Ground ground) {
-    return std::make_shared<Preparation>(reader, setup, std::move(ground));
+    return std::make_shared<PreparedMap>(reader, setup, std::move(ground));
   };
 }
 
-void Localizer::setMap(Preparation& prepared) {
+void Localizer::setMap(PreparedMap& prepared) {
   use(prepared, beliefOn(*prepared.ground.map));
   requestUpdate();
 }

@@ -3,8 +3,8 @@
 
 #include "adaptive_localization/core/scan.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/map/range_error.hpp"
 #include "adaptive_localization/match/match.hpp"
+#include "map/range_error.hpp"
 
 namespace adaptive_localization {
 

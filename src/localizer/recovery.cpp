@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/recovery.hpp"
+#include "localizer/recovery.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/ser/place.hpp"
-#include "adaptive_localization/ser/places.hpp"
 #include "occlusion.hpp"
+#include "ser/place.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {

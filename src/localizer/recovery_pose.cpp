@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "adaptive_localization/localizer/recovery.hpp"
-#include "adaptive_localization/ser/place.hpp"
+#include "localizer/recovery.hpp"
+#include "ser/place.hpp"
 
 namespace adaptive_localization {
 

@@ -3,8 +3,8 @@
 // that is left.
 #include <algorithm>
 
-#include "adaptive_localization/localizer/recovery.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "localizer/recovery.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {

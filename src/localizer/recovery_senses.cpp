@@ -2,9 +2,9 @@
 // What observations tell of places, by the laser or, without one, by other senses.
 #include <algorithm>
 
-#include "adaptive_localization/localizer/recovery.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "localizer/recovery.hpp"
 #include "occlusion.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "match/scan_matcher.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "occupied_depth.hpp"
 
 namespace adaptive_localization {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/elfes_grid.hpp"
+#include "map/elfes_grid.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/evidence_grid.hpp"
+#include "map/evidence_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

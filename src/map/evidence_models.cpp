@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/evidence_models.hpp"
+#include "map/evidence_models.hpp"
 
 #include <stdexcept>
 
-#include "adaptive_localization/map/elfes_grid.hpp"
-#include "adaptive_localization/map/konolige_grid.hpp"
-#include "adaptive_localization/map/moravec_elfes_grid.hpp"
+#include "map/elfes_grid.hpp"
+#include "map/konolige_grid.hpp"
+#include "map/moravec_elfes_grid.hpp"
 
 namespace adaptive_localization {
 

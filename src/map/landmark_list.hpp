@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "map/landmark_map.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "map/landmark_map.hpp"
 
 #include <utility>
 

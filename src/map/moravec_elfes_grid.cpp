@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/moravec_elfes_grid.hpp"
+#include "map/moravec_elfes_grid.hpp"
 
 #include <algorithm>
 

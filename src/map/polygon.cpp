@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/polygon.hpp"
+#include "map/polygon.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/segment_index.hpp"
+#include "map/segment_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/map/floor_plan.hpp"
+#include "map/floor_plan.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "adaptive_localization/map/lattice.hpp"
-#include "adaptive_localization/map/polygon.hpp"
+#include "map/polygon.hpp"
 
 namespace adaptive_localization {
 

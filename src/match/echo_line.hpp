@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "adaptive_localization/match/line_features.hpp"
+#include "match/line_features.hpp"
 
 namespace adaptive_localization {
 

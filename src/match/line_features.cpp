@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/line_features.hpp"
+#include "match/line_features.hpp"
 
 #include <algorithm>
 #include <cmath>

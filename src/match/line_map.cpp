@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/line_map.hpp"
+#include "match/line_map.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/map/floor_plan.hpp"
 #include "cells_along.hpp"
+#include "map/floor_plan.hpp"
 
 namespace adaptive_localization {
 namespace {

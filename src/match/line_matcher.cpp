@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/line_matcher.hpp"
+#include "match/line_matcher.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

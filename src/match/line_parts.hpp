@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "adaptive_localization/match/line_options.hpp"
+#include "match/line_options.hpp"
 
 namespace adaptive_localization {
 

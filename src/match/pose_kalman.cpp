@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
+#include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
 namespace {

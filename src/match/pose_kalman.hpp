@@ -5,8 +5,8 @@
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/pose_observation.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
+#include "match/scan_matcher.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/scan_matcher.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "adaptive_localization/match/line_map.hpp"
 #include "alignment.hpp"
 #include "map/thin_walls.hpp"
+#include "match/line_map.hpp"
 
 namespace adaptive_localization {
 namespace {

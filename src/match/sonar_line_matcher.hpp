@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/match/line_map.hpp"
+#include "match/line_map.hpp"
 #include "sonar_lines.hpp"
 
 namespace adaptive_localization {

@@ -8,8 +8,8 @@
 
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/pose2.hpp"
-#include "adaptive_localization/match/line_options.hpp"
 #include "echo_line.hpp"
+#include "match/line_options.hpp"
 
 namespace adaptive_localization {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adaptive_localization/map/occupancy_grid.hpp"
-#include "adaptive_localization/match/surface.hpp"
+#include "match/surface.hpp"
 
 namespace adaptive_localization {
 

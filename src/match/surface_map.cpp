@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/surface_map.hpp"
+#include "match/surface_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "cells_along.hpp"
+#include "core/parallel.hpp"
 #include "surface_fit.hpp"
 
 namespace adaptive_localization {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/motion/differential_drive.hpp"
+#include "motion/differential_drive.hpp"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
+#include "core/parallel.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/motion/omni_drive.hpp"
+#include "motion/omni_drive.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/landmark_model.hpp"
+#include "observation/landmark_model.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/map/landmark_file.hpp"
+#include "map/landmark_file.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/likelihood_field.hpp"
+#include "observation/likelihood_field.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "adaptive_localization/core/pose_bins.hpp"
+#include "core/pose_bins.hpp"
 #include "score_field.hpp"
 
 namespace adaptive_localization {

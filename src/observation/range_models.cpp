@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/range_models.hpp"
+#include "observation/range_models.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "field_kernel.hpp"
 
 namespace adaptive_localization {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/map/wall_vote.hpp"
-#include "adaptive_localization/observation/likelihood_field.hpp"
+#include "map/ray_caster.hpp"
+#include "map/wall_vote.hpp"
+#include "observation/likelihood_field.hpp"
 
 namespace adaptive_localization {
 

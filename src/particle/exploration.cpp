@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/exploration.hpp"
+#include "particle/exploration.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/kidnap_test.hpp"
+#include "particle/kidnap_test.hpp"
 
 #include <limits>
 
-#include "adaptive_localization/map/range_error.hpp"
+#include "map/range_error.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "particle/pose_sampler.hpp"
 
 #include <algorithm>
 #include <stdexcept>

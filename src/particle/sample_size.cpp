@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/sample_size.hpp"
+#include "particle/sample_size.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
-#include "adaptive_localization/core/pose_bins.hpp"
+#include "core/pose_bins.hpp"
 
 namespace adaptive_localization {
 namespace {

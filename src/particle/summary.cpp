@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "adaptive_localization/core/pose_bins.hpp"
+#include "core/pose_bins.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "adaptive_localization/core/error_text.hpp"
+#include "core/error_text.hpp"
 
 namespace adaptive_localization {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/core/error_text.hpp"
+#include "core/error_text.hpp"
 
 namespace adaptive_localization {
 

@@ -3,9 +3,9 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "adaptive_localization/ser/places.hpp"
 #include "landmark_markers.hpp"
 #include "point_markers.hpp"
+#include "ser/places.hpp"
 #include "status_markers.hpp"
 
 namespace adaptive_localization {

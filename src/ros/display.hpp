@@ -4,7 +4,7 @@
 #include <ros/ros.h>
 
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "map/landmark_map.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {

@@ -8,8 +8,8 @@
 
 #include "../bag/names.hpp"
 #include "../bag/sighting_messages.hpp"
-#include "adaptive_localization/core/suggestion.hpp"
 #include "callbacks.hpp"
+#include "core/suggestion.hpp"
 #include "image_messages.hpp"
 
 namespace adaptive_localization {

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <utility>
 
-#include "adaptive_localization/core/suggestion.hpp"
-#include "adaptive_localization/sim/world.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "core/suggestion.hpp"
 #include "ros_params.hpp"
+#include "sim/world.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/sim/way_follower.hpp"
+#include "sim/way_follower.hpp"
 #include "transform_input.hpp"
 
 namespace adaptive_localization {

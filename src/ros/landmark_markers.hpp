@@ -8,7 +8,7 @@
 
 #include "adaptive_localization/core/observations.hpp"
 #include "adaptive_localization/core/pose2.hpp"
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "map/landmark_map.hpp"
 
 namespace adaptive_localization {
 

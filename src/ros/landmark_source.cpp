@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/core/background.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "core/background.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "adaptive_localization/core/background.hpp"
 #include "adaptive_localization/core/scan.hpp"
+#include "core/background.hpp"
 
 namespace adaptive_localization {
 

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_localization/core/reflectors.hpp"
-#include "adaptive_localization/observation/landmark_model.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "core/reflectors.hpp"
 #include "initial_pose.hpp"
+#include "observation/landmark_model.hpp"
 #include "reconfigure_fields.hpp"
 #include "ros_params.hpp"
 

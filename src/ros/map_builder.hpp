@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/core/background.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "core/background.hpp"
 #include "node_options.hpp"
 
 namespace adaptive_localization {
@@ -20,7 +20,7 @@ namespace adaptive_localization {
 struct BuiltMap {
   Ground ground;
   bool is_updated{false};  // one that was there before, with other cells
-  std::shared_ptr<Localizer::Preparation> prepared{};
+  std::shared_ptr<PreparedMap> prepared{};
 };
 
 /// Makes maps from messages. What takes long on a huge map can be done in a thread of its own,

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/match/scan_matcher.hpp"
 #include "latency.hpp"
+#include "match/scan_matcher.hpp"
 #include "node_options.hpp"
 #include "processor_share.hpp"
 #include "scan_source.hpp"

@@ -6,9 +6,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "conversions.hpp"
+#include "core/suggestion.hpp"
 #include "places_maker.hpp"
 #include "pose_file.hpp"
 #include "ros_params.hpp"

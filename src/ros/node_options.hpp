@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
-#include "adaptive_localization/core/heading_topics.hpp"
-#include "adaptive_localization/core/landmark_topics.hpp"
-#include "adaptive_localization/core/name_list.hpp"
 #include "adaptive_localization/core/options.hpp"
-#include "adaptive_localization/core/sonar_topics.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
+#include "core/heading_topics.hpp"
+#include "core/landmark_topics.hpp"
+#include "core/name_list.hpp"
+#include "core/sonar_topics.hpp"
 
 namespace adaptive_localization {
 

@@ -4,7 +4,7 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "adaptive_localization/map/floor_plan.hpp"
+#include "map/floor_plan.hpp"
 
 namespace adaptive_localization {
 

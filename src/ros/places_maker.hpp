@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/ser/ground.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 
 namespace adaptive_localization {
 

@@ -5,8 +5,8 @@
 #include <visualization_msgs/Marker.h>
 
 #include "adaptive_localization/core/scan.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/ser/energy_grid.hpp"
+#include "match/scan_matcher.hpp"
+#include "ser/energy_grid.hpp"
 
 namespace adaptive_localization {
 

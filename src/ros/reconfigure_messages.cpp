@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/audience.hpp"
+
 namespace adaptive_localization {
 namespace {
 
 using dynamic_reconfigure::Config;
 
-constexpr auto kGroup = "Default";  // the one group, as in amcl
+/// As in amcl, and within it those for experts, folded up in rqt_reconfigure.
+constexpr auto kGroup = "Default", kExperts = "Experts";
 
 template <class Message, class Value>
 void append(std::vector<Message>& messages, const std::string& name, const Value& value) {
@@ -34,10 +37,12 @@ void add(Config& config, const std::string& key, const std::string& value) {
 
 Config emptyConfig() {
   Config config;
-  dynamic_reconfigure::GroupState group;
-  group.name = kGroup;
-  group.state = true;
-  config.groups.push_back(group);
+  config.groups.resize(2);
+  config.groups[0].name = kGroup;
+  config.groups[0].state = true;
+  config.groups[1].name = kExperts;
+  config.groups[1].state = false;
+  config.groups[1].id = 1;
   return config;
 }
 
@@ -87,8 +92,12 @@ Config toConfig(const std::vector<OptionDescription>& options) {
 
 dynamic_reconfigure::ConfigDescription toDescription(
     const std::vector<OptionDescription>& options) {
-  dynamic_reconfigure::Group group;
-  group.name = kGroup;
+  dynamic_reconfigure::ConfigDescription description;
+  description.groups.resize(2);
+  description.groups[0].name = kGroup;
+  description.groups[1].name = kExperts;
+  description.groups[1].type = "collapse";
+  description.groups[1].id = 1;
   std::vector<OptionDescription> low = options;
   std::vector<OptionDescription> high = options;
   for (std::size_t i = 0; i < options.size(); ++i) {
@@ -100,10 +109,9 @@ dynamic_reconfigure::ConfigDescription toDescription(
     field.type = typeOf(option.value);
     field.description = option.sentence + (option.unit.empty() ? "" : " [" + option.unit + "]");
     field.edit_method = editMethod(option);
-    group.parameters.push_back(field);
+    const bool is_expert = audienceOf(option.key) == Audience::kExperts;
+    description.groups[is_expert ? 1 : 0].parameters.push_back(field);
   }
-  dynamic_reconfigure::ConfigDescription description;
-  description.groups.push_back(group);
   description.min = toConfig(low);
   description.max = toConfig(high);
   description.dflt = toConfig(options);

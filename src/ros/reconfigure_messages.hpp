@@ -20,7 +20,8 @@ Values valuesOf(const dynamic_reconfigure::Config& message);
 /// The values of options.
 dynamic_reconfigure::Config toConfig(const std::vector<OptionDescription>& options);
 
-/// Types, ranges, choices and meanings of options, whose values are the defaults.
+/// Types, ranges, choices and meanings of options, whose values are the defaults; those for experts
+/// in a group of their own.
 dynamic_reconfigure::ConfigDescription toDescription(const std::vector<OptionDescription>& options);
 
 }  // namespace adaptive_localization

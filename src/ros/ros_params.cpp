@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "adaptive_localization/core/suggestion.hpp"
 #include "amcl_keys.hpp"
+#include "core/suggestion.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "../bag/stamps.hpp"
-#include "adaptive_localization/core/background.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "core/background.hpp"
 
 namespace adaptive_localization {
 namespace {

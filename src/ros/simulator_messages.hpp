@@ -6,7 +6,7 @@
 #include <sensor_msgs/PointCloud.h>
 #include <sensor_msgs/Range.h>
 
-#include "adaptive_localization/sim/simulation.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adaptive_localization/core/suggestion.hpp"
 #include "callbacks.hpp"
 #include "conversions.hpp"
+#include "core/suggestion.hpp"
 #include "paint_markers.hpp"
 #include "ros_params.hpp"
 #include "simulator_messages.hpp"

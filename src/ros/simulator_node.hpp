@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "adaptive_localization/sim/simulation.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 

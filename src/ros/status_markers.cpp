@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/ser/global_search.hpp"
 #include "conversions.hpp"
+#include "ser/place.hpp"
 #include "status_message.hpp"
 
 namespace adaptive_localization {

@@ -5,7 +5,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/scan_matcher.hpp"
 
 namespace adaptive_localization {
 

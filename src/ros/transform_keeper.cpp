@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "../bag/stamps.hpp"
-#include "adaptive_localization/core/background.hpp"
+#include "core/background.hpp"
 
 namespace adaptive_localization {
 

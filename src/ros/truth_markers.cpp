@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth_markers.hpp"
 
-#include "adaptive_localization/sim/people.hpp"
 #include "marker.hpp"
+#include "sim/people.hpp"
 
 namespace adaptive_localization {
 namespace {

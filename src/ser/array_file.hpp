@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/ser/const_array.hpp"
+#include "ser/const_array.hpp"
 
 namespace adaptive_localization {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/ser/search_pose.hpp"
+#include "ser/search_pose.hpp"
 
 namespace adaptive_localization {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/energy_grid.hpp"
+#include "ser/energy_grid.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace adaptive_localization {
 namespace {

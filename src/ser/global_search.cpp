@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/global_search.hpp"
+#include "ser/global_search.hpp"
 
 #include <algorithm>
 #include <cmath>

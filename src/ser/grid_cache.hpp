@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/ser/energy_grid.hpp"
 #include "array_file.hpp"
+#include "ser/energy_grid.hpp"
 
 namespace adaptive_localization {
 

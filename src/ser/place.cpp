@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/place.hpp"
+#include "ser/place.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/map/range_error.hpp"
-#include "adaptive_localization/ser/place.hpp"
-#include "adaptive_localization/ser/scan_energy.hpp"
+#include "map/range_error.hpp"
+#include "ser/place.hpp"
+#include "ser/scan_energy.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/place_search.hpp"
+#include "ser/place_search.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 
 #include <algorithm>
 #include <cmath>

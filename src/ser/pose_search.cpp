@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "range_blocks.hpp"
 #include "range_kernel.hpp"
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "adaptive_localization/ser/range_table.hpp"
-#include "adaptive_localization/ser/search_pose.hpp"
 #include "best_poses.hpp"
 #include "scan_targets.hpp"
+#include "ser/range_table.hpp"
+#include "ser/search_pose.hpp"
 
 namespace adaptive_localization {
 

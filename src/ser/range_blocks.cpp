@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace adaptive_localization {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "adaptive_localization/map/lattice.hpp"
-#include "adaptive_localization/ser/const_array.hpp"
-#include "adaptive_localization/ser/scan_energy.hpp"
+#include "ser/const_array.hpp"
+#include "ser/scan_energy.hpp"
 
 namespace adaptive_localization {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/ser/range_table.hpp"
+#include "ser/range_table.hpp"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/range_table.hpp"
+#include "ser/range_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "range_blocks.hpp"
 #include "sweep.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "adaptive_localization/ser/range_table.hpp"
-#include "adaptive_localization/ser/scan_energy.hpp"
+#include "ser/range_table.hpp"
+#include "ser/scan_energy.hpp"
 
 namespace adaptive_localization {
 

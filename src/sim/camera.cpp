@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/camera.hpp"
+#include "sim/camera.hpp"
 
 #include <algorithm>
 #include <cmath>

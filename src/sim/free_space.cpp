@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/free_space.hpp"
+#include "sim/free_space.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/people.hpp"
+#include "sim/people.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/simulation.hpp"
+#include "sim/simulation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/sonars.hpp"
+#include "sim/sonars.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/way_follower.hpp"
+#include "sim/way_follower.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/map/polygon.hpp"
+#include "map/polygon.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/world.hpp"
+#include "sim/world.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -9,8 +9,8 @@
 
 #include "adaptive_localization/map/distance_field.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/map/segment_index.hpp"
+#include "map/ray_caster.hpp"
+#include "map/segment_index.hpp"
 
 namespace adaptive_localization {
 namespace {

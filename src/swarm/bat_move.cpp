@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "adaptive_localization/swarm/leaders.hpp"
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm/leaders.hpp"
+#include "swarm/swarm_move.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/leaders.hpp"
+#include "swarm/leaders.hpp"
 
 #include <algorithm>
 #include <limits>

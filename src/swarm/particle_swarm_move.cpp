@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "adaptive_localization/swarm/swarm_move.hpp"
+#include "swarm/swarm_move.hpp"
 
 namespace adaptive_localization {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/range_objective.hpp"
+#include "swarm/range_objective.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_localization/core/parallel.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
+#include "core/parallel.hpp"
+#include "map/ray_caster.hpp"
 
 namespace adaptive_localization {
 namespace {

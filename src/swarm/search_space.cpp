@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/search_space.hpp"
+#include "swarm/search_space.hpp"
 
 #include <algorithm>
 #include <cmath>

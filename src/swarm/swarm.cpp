@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/swarm.hpp"
+#include "swarm/swarm.hpp"
 
 #include <limits>
 

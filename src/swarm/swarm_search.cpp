@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/swarm_search.hpp"
+#include "swarm/swarm_search.hpp"
 
 namespace adaptive_localization {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
 #include "adaptive_localization/particle/resampling.hpp"
+#include "core/parallel.hpp"
+#include "map/ray_caster.hpp"
 #include "measure.hpp"
 #include "plain_field.hpp"
 #include "support/resident_memory.hpp"

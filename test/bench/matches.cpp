@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/floor_plan.hpp"
-#include "adaptive_localization/match/line_map.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/sim/free_space.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "map/floor_plan.hpp"
+#include "match/line_map.hpp"
+#include "match/scan_matcher.hpp"
 #include "measure.hpp"
+#include "sim/free_space.hpp"
+#include "sim/rasterize.hpp"
 
 namespace adaptive_localization {
 namespace {

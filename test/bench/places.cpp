@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/sim/free_space.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "map/ray_caster.hpp"
 #include "measure.hpp"
 #include "plain_energies.hpp"
+#include "sim/free_space.hpp"
+#include "sim/rasterize.hpp"
 #include "toy_building.hpp"
 
 namespace adaptive_localization {

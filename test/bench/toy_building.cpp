@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/particle/pose_sampler.hpp"
+#include "map/ray_caster.hpp"
+#include "particle/pose_sampler.hpp"
 
 namespace adaptive_localization {
 namespace {

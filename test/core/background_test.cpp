@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/background.hpp"
+#include "core/background.hpp"
 
 #include <gmock/gmock.h>
 

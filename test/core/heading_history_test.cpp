@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/core/heading_history.hpp"
+#include "core/heading_history.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

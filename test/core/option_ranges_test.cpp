@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "../../src/ros/reconfigure_fields.hpp"
-#include "adaptive_localization/eval/start.hpp"
-#include "adaptive_localization/sim/simulation.hpp"
+#include "eval/start.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 namespace {

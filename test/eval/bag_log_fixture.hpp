@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/log_reader.hpp"
 #include "eval/bag_writer.hpp"
+#include "eval/log_reader.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/eval/log_reader.hpp"
+#include "eval/log_reader.hpp"
 #include "eval/small_carmen_log.hpp"
 #include "support/temp_folder.hpp"
 

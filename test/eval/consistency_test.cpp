@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/consistency.hpp"
+#include "eval/consistency.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 // The program draw_map, by what it writes.
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/map_spoiler.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "eval/map_spoiler.hpp"
+#include "sim/rasterize.hpp"
 #include "support/program.hpp"
 
 namespace adaptive_localization {

@@ -4,8 +4,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "adaptive_localization/eval/energy_command.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "eval/energy_command.hpp"
 #include "support/program.hpp"
 #include "support/toy_world.hpp"
 

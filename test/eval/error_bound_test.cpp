@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/error_bound.hpp"
+#include "eval/error_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,15 +2,11 @@
 #include <gmock/gmock.h>
 
 #include "../../src/eval/accuracy_judge.hpp"
-#include "adaptive_localization/eval/experiment_run.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
+#include "eval/experiment_run.hpp"
 #include "toy_experiment.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 /// An estimate with standard deviations of 0.1 m and 0.1 rad.
 Localization answerAt(const Pose2& pose, bool updated = true) {
@@ -55,54 +51,6 @@ TEST(Accuracy, OfNothingIsNothing) {
   const Accuracy accuracy = AccuracyJudge().finish();
   EXPECT_EQ(accuracy.scans, 0);
   EXPECT_FALSE(accuracy.normalized_mean || accuracy.scan_bound_m);
-  EXPECT_EQ(summarizeAccuracy({}).runs, 0);
-}
-
-/// Runs with the same normalised error in all seconds but the last.
-std::vector<ExperimentResult> runsWith(const std::vector<double>& errors) {
-  std::vector<ExperimentResult> runs;
-  for (const double error : errors) {
-    ExperimentResult run;
-    run.id = {"toy", "hall", "kld", static_cast<int>(runs.size()) + 1, "same"};
-    run.rms_m = 0.02;
-    run.accuracy.scans = 30;
-    run.accuracy.mean_m = 0.01 * static_cast<double>(runs.size());
-    run.accuracy.normalized_mean = error;
-    run.accuracy.normalized = {std::nullopt, error, error, 100.0};
-    run.accuracy.scan_bound_m = run.accuracy.scan_bound_deg = 0.003;
-    run.accuracy.drive_bound_m = run.accuracy.drive_bound_deg = 0.001;
-    runs.push_back(run);
-  }
-  return runs;
-}
-
-TEST(Accuracy, IsSummedUpOverRuns) {
-  const AccuracySummary summary = summarizeAccuracy(runsWith({1.0, 2.0, 6.0}));
-  EXPECT_EQ(summary.runs, 3);
-  EXPECT_NEAR(summary.mean_m, 0.01, 1e-12);
-  EXPECT_NEAR(summary.worst_mean_m, 0.02, 1e-12);
-  EXPECT_NEAR(summary.rms_m, 0.02, 1e-12);
-  EXPECT_NEAR(summary.normalized.value(), 3.0, 1e-12);
-  EXPECT_NEAR(summary.band.high, consistencyBand(3).high, 1e-12);
-  EXPECT_NEAR(summary.seconds_in_band, 2.0 / 3.0, 1e-12) << "all but the last";
-  EXPECT_NEAR(summary.drive_bound_m.value(), 0.001, 1e-12);
-}
-
-TEST(Accuracy, LeavesOutRunsInWhichTheRobotWasNotFound) {
-  auto runs = runsWith({1.0, 3.0});
-  runs.push_back({});
-  const AccuracySummary summary = summarizeAccuracy(runs);
-  EXPECT_EQ(summary.runs, 2);
-  EXPECT_NEAR(summary.normalized.value(), 2.0, 1e-12);
-  EXPECT_NEAR(summary.mean_m, 0.005, 1e-12);
-}
-
-TEST(Accuracy, IsInTheTableWhereThereAreBounds) {
-  auto runs = runsWith({1.0, 2.0, 6.0});
-  EXPECT_THAT(toTables(summarize(runs)), HasSubstr("| 10.0 (20.0), 0.00 | 20.0; 3.0, 1.0 |"));
-  EXPECT_THAT(toTables(summarize(runs)), HasSubstr("| 3.00; 0.90–6.34; 67 % |"));
-  for (auto& run : runs) run.accuracy.scan_bound_m = std::nullopt;
-  EXPECT_THAT(toTables(summarize(runs)), Not(HasSubstr("NEES")));
 }
 
 TEST(Accuracy, OfADriveIsAboveItsBound) {

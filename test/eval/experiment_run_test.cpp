@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "eval/experiment_run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "adaptive_localization/eval/experiment_loader.hpp"
+#include "eval/experiment_loader.hpp"
 
 namespace adaptive_localization {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/eval/experiment_loader.hpp"
-#include "adaptive_localization/eval/experiment_plan.hpp"
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "eval/experiment_loader.hpp"
+#include "eval/experiment_plan.hpp"
+#include "eval/experiment_run.hpp"
 #include "support/program.hpp"
 #include "toy_experiment.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Experiment E20: what a Kalman filter believes while it observes nothing, and beside a wall.
-#include "adaptive_localization/eval/line_drive.hpp"
+#include "eval/line_drive.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/log_spoiler.hpp"
+#include "eval/log_spoiler.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/map_score.hpp"
+#include "eval/map_score.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/metrics.hpp"
+#include "eval/metrics.hpp"
 
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/statistics.hpp"
+#include "eval/statistics.hpp"
 
 namespace adaptive_localization {
 namespace {

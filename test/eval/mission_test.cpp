@@ -2,8 +2,7 @@
 // A robot that steers by its estimate, and how far off it is on the floor.
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/experiment_run.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
+#include "eval/experiment_run.hpp"
 #include "toy_experiment.hpp"
 
 namespace adaptive_localization {
@@ -29,15 +28,12 @@ TEST(Mission, IsDrivenByTheEstimateAndItsErrorsAreThoseOnTheFloor) {
   }
   EXPECT_GT(result.way_error_m, 0.0);
   EXPECT_LT(result.way_error_m, 0.15);
-  const std::string table = toTables(summarize({result}));
-  EXPECT_THAT(table, testing::HasSubstr("off the way-points, mm"));
 }
 
 TEST(Mission, IsNotTheOneOfADriverWhoKnowsTheTruth) {
   const ExperimentResult result = driveMission({{"simulation.drive_by", "truth"}});
   EXPECT_TRUE(result.arrival_errors_m.empty());
   EXPECT_EQ(result.way_error_m, 0.0);
-  EXPECT_THAT(toTables(summarize({result})), testing::Not(testing::HasSubstr("way-points")));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "adaptive_localization/eval/log_reader.hpp"
+#include "eval/log_reader.hpp"
 #include "support/program.hpp"
 
 namespace adaptive_localization {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "adaptive_localization/eval/experiment_loader.hpp"
-#include "adaptive_localization/eval/experiment_run.hpp"
+#include "eval/experiment_loader.hpp"
+#include "eval/experiment_run.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/replay_command.hpp"
+#include "eval/replay_command.hpp"
 
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/eval/start.hpp"
+#include "eval/start.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "adaptive_localization/eval/trajectory.hpp"
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/bag_writer.hpp"
+#include "eval/trajectory.hpp"
 #include "support/program.hpp"
 #include "support/sighted_points.hpp"
 #include "support/toy_world.hpp"

@@ -2,7 +2,7 @@
 // The executable as its user meets it: a small log in a square room.
 #include <nlohmann/json.hpp>
 
-#include "adaptive_localization/eval/statistics.hpp"
+#include "eval/statistics.hpp"
 #include "toy_replay.hpp"
 
 namespace adaptive_localization {

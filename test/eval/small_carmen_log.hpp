@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "adaptive_localization/eval/carmen_log.hpp"
+#include "eval/carmen_log.hpp"
 
 namespace adaptive_localization {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program sonar_map, by what it says and writes.
-#include "adaptive_localization/eval/sonar_map.hpp"
+#include "eval/sonar_map.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "adaptive_localization/eval/sonar_map_command.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "eval/sonar_map_command.hpp"
 #include "support/program.hpp"
 
 namespace adaptive_localization {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/spoil.hpp"
+#include "eval/spoil.hpp"
 
 #include <gmock/gmock.h>
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "adaptive_localization/eval/experiment_loader.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "eval/experiment_loader.hpp"
+#include "sim/rasterize.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

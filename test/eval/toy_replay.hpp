@@ -8,8 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "adaptive_localization/eval/trajectory.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "eval/trajectory.hpp"
 #include "support/program.hpp"
 
 namespace adaptive_localization {

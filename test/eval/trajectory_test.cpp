@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/eval/trajectory.hpp"
+#include "eval/trajectory.hpp"
 
 #include <gmock/gmock.h>
 

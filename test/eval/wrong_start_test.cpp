@@ -5,7 +5,7 @@
 
 #include "../../src/eval/experiment_drive.hpp"
 #include "../../src/eval/experiment_judge.hpp"
-#include "adaptive_localization/eval/experiment_summary.hpp"
+#include "eval/experiment_result.hpp"
 #include "toy_experiment.hpp"
 
 namespace adaptive_localization {
@@ -115,26 +115,21 @@ ExperimentResult trial(int wrong, Status status, int right) {
 }
 
 TEST_F(WrongStart, MustBeCorrectedInTimeOrFlagged) {
-  const auto summaryOf = [](ExperimentResult result) {
-    return summarize({fromLine(toLine(result))}).front();
-  };
-  const auto prompt = summaryOf(trial(9, Status::kTracking, 10));
-  EXPECT_EQ(prompt.in_time.count, 1) << "found at exactly a second";
-  EXPECT_EQ(prompt.in_time_or_flagged.count, 1);
-  const auto late = summaryOf(trial(15, Status::kTracking, 10));
-  EXPECT_EQ(late.found.count, 1);
-  EXPECT_EQ(late.in_time.count, 0);
-  EXPECT_EQ(late.in_time_or_flagged.count, 0) << "it said tracking";
-  const auto flagged = summaryOf(trial(15, Status::kLost, 10));
-  EXPECT_EQ(flagged.in_time.count, 0);
-  EXPECT_EQ(flagged.in_time_or_flagged.count, 1);
-  EXPECT_THAT(toTables({late}), HasSubstr("| in time | in time or flagged |"));
+  const Trial prompt = trial(9, Status::kTracking, 10).trials.front();
+  EXPECT_EQ(prompt.within_s, 1.0);
+  EXPECT_LE(prompt.found_s.value(), 1.0) << "found at exactly a second";
+  const Trial late = trial(15, Status::kTracking, 10).trials.front();
+  EXPECT_GT(late.found_s.value(), 1.0);
+  EXPECT_GT(late.late_tracking, 0) << "it said tracking";
+  const Trial flagged = trial(15, Status::kLost, 10).trials.front();
+  EXPECT_GT(flagged.found_s.value(), 1.0);
+  EXPECT_EQ(flagged.late_tracking, 0);
 }
 
 TEST_F(WrongStart, HasNoTimeUnlessAskedFor) {
   ExperimentJudge judge{ExperimentCase()};
   judge.begin(Trial::Kind::kWrongStart, 0.0, {});
-  EXPECT_EQ(summarize({judge.finish()}).front().in_time.of, 0);
+  EXPECT_EQ(judge.finish().trials.front().within_s, std::nullopt);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 
 #include "adaptive_localization/filters/builtins.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
-#include "adaptive_localization/motion/differential_drive.hpp"
+#include "match/scan_matcher.hpp"
+#include "motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/thick_room.hpp"
 #include "support/toy_drive.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "adaptive_localization/motion/differential_drive.hpp"
+#include "motion/differential_drive.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

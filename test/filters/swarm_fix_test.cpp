@@ -9,7 +9,7 @@
 #include <string>
 
 #include "../../src/filters/swarm_bats.hpp"
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
+#include "particle/gaussian_cloud.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

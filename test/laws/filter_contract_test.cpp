@@ -6,8 +6,8 @@
 #include <fstream>
 #include <limits>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
+#include "core/parallel.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/temp_folder.hpp"
 #include "support/toy_drive.hpp"

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "../../src/match/pose_kalman.hpp"
-#include "adaptive_localization/match/line_matcher.hpp"
-#include "adaptive_localization/motion/differential_drive.hpp"
-#include "adaptive_localization/sim/simulation.hpp"
+#include "match/line_matcher.hpp"
+#include "motion/differential_drive.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "adaptive_localization/filters/builtins.hpp"
-#include "adaptive_localization/map/floor_plan.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
-#include "adaptive_localization/sim/simulation.hpp"
+#include "map/floor_plan.hpp"
+#include "sim/rasterize.hpp"
+#include "sim/simulation.hpp"
 #include "support/pose_matchers.hpp"
 
 namespace adaptive_localization {

@@ -3,8 +3,8 @@
 // tells one from the other because a core knows where it is in one of them.
 #include <gtest/gtest.h>
 
-#include "adaptive_localization/localizer/hypotheses.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "localizer/hypotheses.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

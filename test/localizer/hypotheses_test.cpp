@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/hypotheses.hpp"
+#include "localizer/hypotheses.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "adaptive_localization/observation/heading_prior.hpp"
-#include "adaptive_localization/observation/landmark_model.hpp"
+#include "observation/heading_prior.hpp"
+#include "observation/landmark_model.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "adaptive_localization/localizer/localizer.hpp"
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 

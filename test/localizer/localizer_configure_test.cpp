@@ -196,7 +196,7 @@ TEST_F(DrivingLocalizer, PreparesNoMapThatCannotBeUsed) {
 }
 
 TEST(LocalizerConfigure, WhatItPreparesOutlivesIt) {
-  std::function<std::shared_ptr<Localizer::Preparation>(Ground)> prepare;
+  std::function<std::shared_ptr<PreparedMap>(Ground)> prepare;
   {
     const Localizer gone(parametersWith({{"filter", std::string("mcl")}}), asymmetricWorld());
     prepare = gone.preparer();

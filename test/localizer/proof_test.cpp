@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/proof.hpp"
+#include "localizer/proof.hpp"
 
 #include <gtest/gtest.h>
 

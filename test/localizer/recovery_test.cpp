@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/recovery.hpp"
+#include "localizer/recovery.hpp"
 
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
 

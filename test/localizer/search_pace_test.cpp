@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/search_pace.hpp"
+#include "localizer/search_pace.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/told_pose.hpp"
+#include "localizer/told_pose.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/tracking_odds.hpp"
+#include "localizer/tracking_odds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/localizer/usual_error.hpp"
+#include "localizer/usual_error.hpp"
 
 #include <gtest/gtest.h>
 

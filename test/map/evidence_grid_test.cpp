@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The laws of what sonars tell of a map, for each of the models.
-#include "adaptive_localization/map/evidence_grid.hpp"
+#include "map/evidence_grid.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_localization/map/evidence_models.hpp"
+#include "map/evidence_models.hpp"
 
 namespace adaptive_localization {
 namespace {

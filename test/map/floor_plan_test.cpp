@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/floor_plan.hpp"
+#include "map/floor_plan.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/landmark_map.hpp"
+#include "map/landmark_map.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <stdexcept>
 
-#include "adaptive_localization/map/floor_plan.hpp"
-#include "adaptive_localization/map/landmark_file.hpp"
+#include "map/floor_plan.hpp"
+#include "map/landmark_file.hpp"
 #include "support/temp_folder.hpp"
 
 namespace adaptive_localization {

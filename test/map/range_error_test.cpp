@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/range_error.hpp"
+#include "map/range_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/ray_caster.hpp"
+#include "map/ray_caster.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/map/wall_vote.hpp"
+#include "map/wall_vote.hpp"
 
 #include <gtest/gtest.h>
 

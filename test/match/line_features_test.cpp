@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/line_features.hpp"
+#include "match/line_features.hpp"
 
 #include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "adaptive_localization/match/line_map.hpp"
 #include "line_toys.hpp"
+#include "match/line_map.hpp"
 
 namespace adaptive_localization {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/match/line_map.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/line_map.hpp"
+#include "match/scan_matcher.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

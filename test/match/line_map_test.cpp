@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/line_map.hpp"
+#include "match/line_map.hpp"
 
 #include <gmock/gmock.h>
 

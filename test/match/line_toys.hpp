@@ -7,8 +7,8 @@
 
 #include "adaptive_localization/core/rng.hpp"
 #include "adaptive_localization/core/scan.hpp"
-#include "adaptive_localization/map/floor_plan.hpp"
-#include "adaptive_localization/match/line_features.hpp"
+#include "map/floor_plan.hpp"
+#include "match/line_features.hpp"
 
 namespace adaptive_localization {
 

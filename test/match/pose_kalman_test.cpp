@@ -6,9 +6,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "adaptive_localization/observation/heading_prior.hpp"
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
 #include "adaptive_localization/particle/summary.hpp"
+#include "observation/heading_prior.hpp"
+#include "particle/gaussian_cloud.hpp"
 #include "support/pose_matchers.hpp"
 
 namespace adaptive_localization {

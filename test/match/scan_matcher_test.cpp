@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/scan_matcher.hpp"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/scan_matcher.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

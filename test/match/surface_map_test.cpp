@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/match/surface_map.hpp"
+#include "match/surface_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // inexactly.
 #include <gmock/gmock.h>
 
-#include "adaptive_localization/match/scan_matcher.hpp"
+#include "match/scan_matcher.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/thick_room.hpp"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/filters/builtins.hpp"
+#include "core/parallel.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_parameters.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/heading_prior.hpp"
+#include "observation/heading_prior.hpp"
 
 #include <gmock/gmock.h>
 

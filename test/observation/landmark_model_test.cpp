@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/landmark_model.hpp"
+#include "observation/landmark_model.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/likelihood_field.hpp"
+#include "observation/likelihood_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_scores.hpp"
 

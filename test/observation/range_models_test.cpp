@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/range_models.hpp"
+#include "observation/range_models.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "adaptive_localization/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/random_grid.hpp"
 #include "support/toy_world.hpp"

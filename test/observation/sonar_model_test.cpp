@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/observation/sonar_model.hpp"
+#include "observation/sonar_model.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/core/rng.hpp"
+#include "core/parallel.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

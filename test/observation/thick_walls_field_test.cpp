@@ -3,7 +3,7 @@
 // is in the middles of walls that were made of scans laid over each other inexactly.
 #include <gtest/gtest.h>
 
-#include "adaptive_localization/observation/likelihood_field.hpp"
+#include "observation/likelihood_field.hpp"
 #include "support/thick_room.hpp"
 #include "support/toy_scores.hpp"
 

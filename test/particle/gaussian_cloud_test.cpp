@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/gaussian_cloud.hpp"
+#include "particle/gaussian_cloud.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/kidnap_test.hpp"
+#include "particle/kidnap_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/particle/sample_size.hpp"
+#include "particle/sample_size.hpp"
 
 #include <gmock/gmock.h>
 

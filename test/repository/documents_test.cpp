@@ -6,10 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <regex>
 #include <string>
 
 #include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
+#include "core/audience.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -65,6 +67,27 @@ TEST(Documents, OptionsPageHasEveryOption) {
   for (const auto& option : options) {
     EXPECT_NE(page.find("| `" + option.key + "` |"), std::string::npos)
         << option.key << " is in no table of list_options";
+  }
+}
+
+TEST(Documents, OptionsForUsersAreFew) {
+  const std::string page = contentsOf(kOptionsPage);
+  const auto begin = page.find("## Options for users"), end = page.find("## amcl's options");
+  ASSERT_LT(begin, end);
+  const std::string part = page.substr(begin, end - begin);
+  const std::regex row("\n\\| `");
+  const auto rows = std::distance(std::sregex_iterator(part.begin(), part.end(), row), {});
+  EXPECT_GT(rows, 20);
+  EXPECT_LE(rows, 50);
+}
+
+TEST(Documents, OptionsOfAmclAreKnownAsSuch) {
+  Parameters stock;
+  stock.load(std::string(SOURCE_DIR) + "/config/amcl.yaml");
+  EXPECT_GT(stock.values().size(), 40U);
+  for (const auto& [key, value] : stock.values()) {
+    if (key == "bag_scan_period") continue;  // without effect here
+    EXPECT_EQ(audienceOf(key), Audience::kAmcl) << key;
   }
 }
 

@@ -40,8 +40,9 @@ TEST(ReconfigureMessages, CarryValues) {
 
 TEST(ReconfigureMessages, DescribeTypesRangesAndChoices) {
   const auto description = toDescription(describe(Sample{}));
-  ASSERT_EQ(description.groups.size(), 1u);
-  const auto& fields = description.groups[0].parameters;
+  ASSERT_EQ(description.groups.size(), 2u);
+  EXPECT_THAT(description.groups[0].parameters, testing::IsEmpty()) << "none is for users";
+  const auto& fields = description.groups[1].parameters;
   ASSERT_EQ(fields.size(), 5u);
   const std::vector<std::string> types{"bool", "int", "double", "str", "str"};
   for (std::size_t i = 0; i < types.size(); ++i) EXPECT_EQ(fields[i].type, types[i]);
@@ -53,6 +54,20 @@ TEST(ReconfigureMessages, DescribeTypesRangesAndChoices) {
   EXPECT_EQ(high.at("beams"), OptionValue{std::numeric_limits<int>::max()});
   EXPECT_EQ(high.at("noise"), OptionValue{kNotNegative.high});
   EXPECT_EQ(valuesOf(description.dflt), valuesOf(toConfig(describe(Sample{}))));
+}
+
+TEST(ReconfigureMessages, KeepOptionsForExpertsApart) {
+  const auto description = toDescription(fieldsOf(allOptions({}), {}));
+  const auto has = [&](int group, const std::string& key) {
+    const auto& fields = description.groups.at(static_cast<std::size_t>(group)).parameters;
+    return std::any_of(fields.begin(), fields.end(),
+                       [&](const auto& field) { return field.name == key; });
+  };
+  EXPECT_TRUE(has(0, "filter") && has(0, "odom_alpha1"));
+  EXPECT_TRUE(has(1, "search_margin"));
+  EXPECT_FALSE(has(1, "filter") || has(0, "search_margin"));
+  EXPECT_EQ(description.groups[1].type, "collapse");
+  EXPECT_LE(description.groups[0].parameters.size(), 100u);
 }
 
 TEST(ReconfigureFields, LeaveWhereTheRobotStartsToTheStart) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/energy_grid.hpp"
+#include "ser/energy_grid.hpp"
 
 #include <gmock/gmock.h>
 

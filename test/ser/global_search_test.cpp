@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/global_search.hpp"
+#include "ser/global_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_localization/core/parallel.hpp"
-#include "adaptive_localization/ser/place_search.hpp"
+#include "core/parallel.hpp"
+#include "ser/place_search.hpp"
 #include "ser_toys.hpp"
 #include "support/pose_matchers.hpp"
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "adaptive_localization/ser/places.hpp"
+#include "ser/places.hpp"
 #include "ser_toys.hpp"
 #include "support/temp_folder.hpp"
 

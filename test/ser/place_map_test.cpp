@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/place_map.hpp"
+#include "ser/place_map.hpp"
 
 #include <gtest/gtest.h>
 

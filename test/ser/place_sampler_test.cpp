@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/place_sampler.hpp"
+#include "ser/place_sampler.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/range_table.hpp"
+#include "ser/range_table.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "adaptive_localization/core/parallel.hpp"
 #include "adaptive_localization/map/distance_field.hpp"
-#include "adaptive_localization/ser/energy_grid.hpp"
+#include "core/parallel.hpp"
+#include "ser/energy_grid.hpp"
 #include "ser_toys.hpp"
 #include "support/random_grid.hpp"
 

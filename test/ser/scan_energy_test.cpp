@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/scan_energy.hpp"
+#include "ser/scan_energy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/ser/ser_sampler.hpp"
+#include "ser/ser_sampler.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/ser/global_search.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
-#include "adaptive_localization/sim/world.hpp"
+#include "map/ray_caster.hpp"
+#include "ser/global_search.hpp"
+#include "sim/rasterize.hpp"
+#include "sim/world.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/drive_base.hpp"
+#include "sim/drive_base.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/imu.hpp"
+#include "sim/imu.hpp"
 
 #include <gtest/gtest.h>
 

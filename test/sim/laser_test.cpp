@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/laser.hpp"
+#include "sim/laser.hpp"
 
 #include <gmock/gmock.h>
 

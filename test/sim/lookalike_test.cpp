@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adaptive_localization/map/map_io.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "sim/rasterize.hpp"
 #include "test_worlds.hpp"
 
 namespace adaptive_localization {

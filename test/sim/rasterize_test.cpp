@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "sim/rasterize.hpp"
 
 #include <gmock/gmock.h>
 

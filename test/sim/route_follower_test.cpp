@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/route_follower.hpp"
+#include "sim/route_follower.hpp"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/sim/free_space.hpp"
+#include "sim/free_space.hpp"
 #include "test_worlds.hpp"
 
 namespace adaptive_localization {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "adaptive_localization/sim/simulation.hpp"
+#include "sim/simulation.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/way_follower.hpp"
+#include "sim/way_follower.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/wheel_odometry.hpp"
+#include "sim/wheel_odometry.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/sim/world.hpp"
+#include "sim/world.hpp"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
-#include "adaptive_localization/map/segment_index.hpp"
-#include "adaptive_localization/sim/rasterize.hpp"
+#include "map/ray_caster.hpp"
+#include "map/segment_index.hpp"
+#include "sim/rasterize.hpp"
 #include "test_worlds.hpp"
 
 namespace adaptive_localization {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adaptive_localization/core/observations.hpp"
-#include "adaptive_localization/map/ray_caster.hpp"
+#include "map/ray_caster.hpp"
 
 namespace adaptive_localization {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/field_objective.hpp"
+#include "swarm/field_objective.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/range_objective.hpp"
+#include "swarm/range_objective.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "adaptive_localization/core/rng.hpp"
-#include "adaptive_localization/map/segment_index.hpp"
+#include "map/segment_index.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/swarm_search.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -8,8 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "adaptive_localization/swarm/leaders.hpp"
-#include "adaptive_localization/swarm/test_functions.hpp"
+#include "bench/test_functions.hpp"
+#include "swarm/leaders.hpp"
+#include "swarm/swarm_search.hpp"
 
 namespace adaptive_localization {
 namespace {

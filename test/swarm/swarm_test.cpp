@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adaptive_localization/swarm/swarm.hpp"
+#include "swarm/swarm.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "adaptive_localization/core/pose2.hpp"
-#include "adaptive_localization/swarm/swarm_search.hpp"
-#include "adaptive_localization/swarm/test_functions.hpp"
+#include "bench/test_functions.hpp"
+#include "swarm/swarm_search.hpp"
 
 namespace adaptive_localization {
 namespace {

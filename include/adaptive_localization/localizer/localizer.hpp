@@ -10,14 +10,17 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/localizer/compass.hpp"
 #include "adaptive_localization/localizer/gyroscope.hpp"
-#include "adaptive_localization/localizer/recovery.hpp"
 #include "adaptive_localization/localizer/setup.hpp"
 #include "adaptive_localization/localizer/sonar_ring.hpp"
+#include "adaptive_localization/localizer/status.hpp"
 #include "adaptive_localization/match/match.hpp"
 
 namespace adaptive_localization {
 
 class EstimateRefiner;
+class Places;
+class Recovery;
+struct PreparedMap;
 
 /// What the localizer answers to a scan.
 struct Localization {
@@ -60,21 +63,19 @@ class Localizer {
   /// and then keeps the old map.
   void setMap(Ground ground);
 
-  /// A map and what filter, senses and matching make of it, which takes long on a large one.
-  struct Preparation;
-
-  /// Prepares a map for this localizer, with its options as they are now. The function may be
-  /// called in another thread, whatever becomes of the localizer; it throws as setMap().
-  std::function<std::shared_ptr<Preparation>(Ground)> preparer() const;
+  /// Prepares a map for this localizer, with its options as they are now, which takes long on a
+  /// large one. The function may be called in another thread, whatever becomes of the localizer; it
+  /// throws as setMap().
+  std::function<std::shared_ptr<PreparedMap>(Ground)> preparer() const;
 
   /// The same as with a map; takes apart what was prepared. The options must still be the same.
-  void setMap(Preparation& prepared);
+  void setMap(PreparedMap& prepared);
 
   /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
   /// How well scans fit the map at the estimate, how sure the belief is.
-  const Confidence& confidence() const { return recovery_->fit(); }
+  const Confidence& confidence() const;
 
   /// Where in the map a scan can have been taken.
   Places& places() const { return *ground_.places; }
@@ -109,7 +110,7 @@ class Localizer {
 
  private:
   void build(Setup setup, Ground ground, const std::optional<Prior>& belief);
-  void use(Preparation& prepared, const std::optional<Prior>& belief);
+  void use(PreparedMap& prepared, const std::optional<Prior>& belief);
   std::optional<Prior> belief() const;
   std::optional<Prior> beliefOn(const OccupancyGrid& map) const;
   bool gateOpens(const Pose2& motion, const Observations& observations) const;
@@ -126,7 +127,7 @@ class Localizer {
   Ground ground_;
   std::unique_ptr<Filter> filter_;
   std::unique_ptr<EstimateRefiner> refiner_;  // if estimates are to be refined
-  std::optional<Recovery> recovery_;
+  std::unique_ptr<Recovery> recovery_;
   Compass compass_;
   Gyroscope gyroscope_;
   SonarRing sonars_;

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/core/observations.hpp"
+#include "adaptive_localization/core/options.hpp"
+#include "adaptive_localization/localizer/confidence.hpp"
+#include "adaptive_localization/localizer/status.hpp"
+#include "localizer/hypotheses.hpp"
+#include "localizer/proof.hpp"
+#include "localizer/search_pace.hpp"
+#include "localizer/told_pose.hpp"
+#include "localizer/tracking_odds.hpp"
+#include "localizer/usual_error.hpp"
+#include "map/range_error.hpp"
+
+namespace adaptive_localization {
+
+/// Answers "where else could the robot be?", for all cores alike; nobody else searches the map for
+/// a robot that is believed to be somewhere.
+///
+/// While scans fit where the core believes to be, at most as badly as is usual, there is one place
+/// and nothing to do. When one does not, when the core jumps, after a start from anywhere and to
+/// verify an initial pose, all places that explain the scan become hypotheses beside the one
+/// believed in, which starts with the odds that tracking has earned. The core's belief is moved
+/// once the odds rule out its place; "tracking" is said when no other place is left.
+class Recovery {
+ public:
+  Recovery(const ConfidenceOptions& options, Ground ground, Senses senses = noSenses());
+
+  /// Starts anew from a prior.
+  void reset(const Prior& prior);
+
+  /// Another one's knowledge, on this one's ground.
+  void goOnFrom(const Recovery& other);
+
+  /// What of a scan, taken about a pose, tells a core where the robot is: nothing if nearly all
+  /// beams are too short, as something stands before the laser; without obstacles that the map does
+  /// not have while tracking, if the map's walls are thin. The laser's whole view stays: places are
+  /// looked for by it.
+  Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// Whether the laser is covered, and other senses tell where the robot is.
+  bool canReplaceScan(const Observations& observations) const;
+
+  /// Whether a scan contradicts the map at a pose, so that it is worth an update.
+  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+    return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction;
+  }
+
+  /// Takes note of an update of the core: the motion since the last one, where odometry expected
+  /// the robot to be, and what the core made of the observations.
+  void observe(const Pose2& motion, const Pose2& T_map_base_expected, const Estimate& estimate,
+               const Observations& observations);
+
+  /// The initial pose awaits its first scan, for which the robot need not move.
+  bool isUnverified(const Observations& observations) const;
+  void verify(const Estimate& estimate, const Observations& observations);
+
+  /// The core's place is ruled out by the odds and others are left: modes().
+  bool mustMove() const { return contradictions_ >= kContradictions; }
+
+  /// The pose to publish: the estimate if it may replace dead reckoning, else dead reckoning, or
+  /// the likely place that it is in.
+  Pose2 published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const;
+
+  /// The places where the robot may be, likeliest first; empty if there is no other than the
+  /// core's.
+  const std::vector<Mode>& modes() const { return modes_; }
+
+  Status status() const { return status_; }
+
+  /// The last scan, whatever other senses say, fits where the robot is tracked.
+  bool knowsByScans() const { return scan_fits_ && status_ == Status::kTracking; }
+
+  const Confidence& fit() const { return confidence_; }
+  const Senses& senses() const { return senses_; }
+
+  /// The mean range error that is usual where the robot is.
+  const UsualError& usual() const { return usual_; }
+
+  /// That the robot is where published() has it, [0, 1]: nothing if that is away from the core's
+  /// place and from all others that are left.
+  double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
+    const bool is_anywhere = !is_settled_ || areSamePlace(T_map_base, T_map_base_of_core);
+    const double most = proof_.isGiven() ? 1.0 : kUnproven;
+    return is_anywhere ? std::min(most, confidence_.value() * shareOf(T_map_base)) : 0.0;
+  }
+
+ private:
+  static constexpr int kContradictions = 2;  // scans in a row
+  static constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
+  static constexpr double kFoundFit = 0.5;   // above: a scan confirms
+  static constexpr double kUnproven = 0.5;   // confidence, at the most
+
+  void doubt(const Pose2& T_map_base);
+  void open(const Pose2& T_map_base, const Pose2& back = {});
+  void openDoubted(const Observations& observations);
+  void settle();
+  bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
+  static Observations withoutCover(const Observations& observations);
+  bool tells(const Observations& observations) const;
+  double errorAt(const Pose2& T_map_base, const Observations& observations) const;
+  bool canSearch(const Observations& observations) const;
+  std::optional<std::vector<Place>> placesFor(const Observations& observations) const;
+  bool isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
+                 const Observations& observations);
+  bool isAnswered(const Observations& observations) const;
+  bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
+  bool isDoubtful(double error, bool is_seen) const;
+  void findNothingBetter(double error);
+  bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
+  void race(const Pose2& T_map_base, double error, const Observations& observations);
+  void search(const Observations& observations);
+  void conclude();
+  Status judge() const;
+  double shareOf(const Pose2& T_map_base) const {
+    const Mode* mode = modeAt(T_map_base, modes_);
+    return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
+  }
+  const Mode* heldPlace(const Pose2& T_map_base) const;
+  bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
+
+  Ground ground_;
+  Senses senses_;
+  RangeError range_error_;
+  Confidence confidence_;
+  UsualError usual_;
+  Hypotheses hypotheses_;
+  std::vector<Mode> modes_;
+  Status status_{Status::kUninitialised};
+
+  bool scan_fits_{false};            // the core's place, as well as is usual
+  bool is_settled_{true};            // there is one place, the core's,
+  std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
+  Hypotheses doubted_;               // the same place, as scans show it,
+  int waited_{0}, misfits_{0};       // so many scans long, so many of them unexplained
+  bool is_unchecked_{false};         // and it has not been compared with others for too long
+  bool from_anywhere_{false};
+  bool was_tracking_{false};  // since the reset
+  ToldPose told_;
+  TrackingOdds odds_;
+  Proof proof_;
+  double way_{0.0};  // since the last scan that counted, m or rad
+
+  bool has_left_{false};        // the core's place was ruled out in this race,
+  double left_way_{0.0};        // so long a way ago, m
+  std::optional<Pose2> left_;   // a place that was known, by odometry, until another one is as well
+  bool searched_{false};        // since the race was opened
+  bool explained_{false};       // some place explains the last scan
+  int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
+  int unfit_{0};                // or hardly at all
+  double contradictions_{0.0};  // scans in a row for which the odds ruled it out
+  SearchPace pace_;
+};
+
+}  // namespace adaptive_localization

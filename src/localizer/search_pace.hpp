@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive_localization/core/pose2.hpp"
+#include "map/range_error.hpp"
+
+namespace adaptive_localization {
+
+/// How far a motion brought the robot to see something else: metres and radians together.
+inline double wayOf(const Pose2& motion) {
+  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+}
+
+/// When the map is worth searching again: at once, then after 1, 3, 7 and at last every 8 scans as
+/// long as nothing comes of it, and every so many metres while places are left to choose from.
+class SearchPace {
+ public:
+  void restart() { pause_ = scans_left_ = 0; }
+
+  /// The race begins: the next scan is searched for.
+  void begin() {
+    scans_left_ = 0;
+    way_ = 0.0;
+    error_ = RangeError::kTruncation;
+  }
+
+  /// Metres, or radians.
+  void travel(double way) { way_ += way; }
+
+  void skipScan() { --scans_left_; }
+
+  /// Whether a scan that fits the core's place as badly as this, m, is worth a search: the pause is
+  /// over, or it fits far worse than the one for which nothing better was found, as long as that
+  /// one left room for it: errors end at RangeError::kTruncation.
+  bool isOver(double error) const {
+    return scans_left_ <= 0 || error > kFarWorse * error_without_better_;
+  }
+
+  /// The race is over: a scan fits the core's place as badly as this, m, and no other better.
+  void findNothingBetter(double error) { error_without_better_ = error; }
+
+  /// One scan later.
+  bool isDue(bool has_places) { return has_places ? way_ > kWay : --scans_left_ < 0; }
+
+  /// Places were looked for by scans that fitted none well; the last scan fits far better, with
+  /// this error, and more places than those that were found may look like it.
+  bool wasBlind(double error) const { return error_ > kWell && error < kFarBetter * error_; }
+
+  /// A place that was known before fits the scan that was searched for, with this error, m.
+  void explain(double error) { error_ = std::min(error_, error); }
+
+  /// Takes note of a search, and how badly the scan fits the best place that it found, m.
+  void searched(bool has_come_to_something, double error) {
+    pause_ = has_come_to_something ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
+    scans_left_ = pause_;
+    way_ = 0.0;
+    error_ = std::min(error_, error);
+  }
+
+ private:
+  static constexpr double kWay = 1.0;
+  static constexpr double kWell = 0.1, kFarBetter = 0.5;  // m, of the error
+  static constexpr double kFarWorse = 1.5;
+  static constexpr int kLongestPause = 8;
+
+  int pause_{0};
+  int scans_left_{0};
+  double way_{0.0};
+  double error_without_better_{RangeError::kTruncation};
+  double error_{RangeError::kTruncation};  // of the best place found since the race began, m
+};
+
+}  // namespace adaptive_localization

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "adaptive_localization/core/options.hpp"
+#include "ser/range_table.hpp"
+#include "ser/scan_energy.hpp"
+
+namespace adaptive_localization {
+
+struct EnergyGridOptions {
+  int energy_beams{30};
+  int energy_orientations{18};
+  double energy_max_range{10.0};
+  double ser_delta{0.02};
+  double energy_grid_max_memory{200.0};
+  std::string cache_dir;
+
+  template <class Visitor>
+  void visit(Visitor&& option) {
+    option("energy_beams", energy_beams, Range{1, kDirections}, "",
+           "Beams of a scan that its energy is made of, evenly spread (energy grid).");
+    option("energy_orientations", energy_orientations, Range{1, kDirections}, "",
+           "Headings in each cell of the energy grid; a laser that sees all round needs one.");
+    option("energy_max_range", energy_max_range, Range{0.1, 1000}, "m",
+           "Ranges are cut off here for energies and for the global search.");
+    option("ser_delta", ser_delta, Range{0, 1}, "",
+           "Poses whose energy differs less than this are similar; widened by the share of beams "
+           "that are invalid.");
+    option("energy_grid_max_memory", energy_grid_max_memory, Range{1, 1e6}, "MB",
+           "Where the energy grid would take more, it uses every second cell of the map, or every "
+           "third, and so on.");
+    option("cache_dir", cache_dir, Choices{},
+           "Folder in which energy grids are kept from start to start; empty: nowhere.");
+  }
+};
+
+/// The energy of a scan and how far it can be trusted.
+struct ScanEnergy {
+  double value{0.0};  // in [0, 1]
+  double delta{0.0};  // half the width of its region
+};
+
+/// The energy grid of SAMCL and SA-KLD (Zhang, Zapata, Lepinay, IROS 2009; G_4D of the latter): the
+/// energy that a scan taken in each free cell with each of some headings would have, sorted.
+///
+///     E = (1 / I) sum_i (1 - z_i / z_max),     z_i at most z_max, which a no-return counts as
+///
+/// over I beams. Grid and robot use the same beams, cut-off and rule for no-returns, whatever
+/// laser_max_beams says; invalid beams are left out of the robot's mean. Poses of similar energy
+/// are two look-ups away: the Similar Energy Region (SER) is a run of the sorted list.
+class EnergyGrid {
+ public:
+  /// Throws std::invalid_argument if the map has no free cell.
+  EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
+             const EnergyGridOptions& options, const SweepProgress& progress = {});
+
+  /// The same for another geometry, with the ranges of one that has the same max_range. Throws
+  /// Stopped.
+  EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+             const EnergyGridOptions& options, const StopToken& stop = {});
+
+  const ScanGeometry& geometry() const { return geometry_; }
+  const RangeTable& ranges() const { return *ranges_; }
+  std::shared_ptr<const RangeTable> sharedRanges() const { return ranges_; }
+  int orientations() const { return orientations_; }
+  double headingStep() const { return 2.0 * kPi / orientations_; }
+
+  /// Number of poses.
+  std::size_t size() const { return sorted_.poses.size(); }
+
+  /// None if the scan has no valid beam among the energy's.
+  std::optional<ScanEnergy> energyOf(const Scan& scan) const;
+
+  /// A run of poses in the order of their energies.
+  struct Region {
+    std::size_t begin{0};
+    std::size_t end{0};
+    std::size_t size() const { return end - begin; }
+    bool isEmpty() const { return begin == end; }
+  };
+
+  /// The poses with |E - energy.value| < energy.delta.
+  Region similarTo(const ScanEnergy& energy) const;
+
+  /// Pose number i in the order of energies: of base in map, at its cell's centre and its heading.
+  Pose2 pose(std::size_t i) const;
+  double energy(std::size_t i) const;
+
+  /// Base in map for a sensor there with base's heading; jitter moves it within cell and heading
+  /// step, each in [-1/2, 1/2].
+  Pose2 pose(std::size_t i, const Eigen::Vector3d& jitter) const;
+
+  /// Every how many-th cell of the map, in x and y, keeps within energy_grid_max_memory.
+  static int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
+                        const EnergyGridOptions& options);
+
+  std::size_t bytes() const;
+
+ private:
+  friend class GridCache;
+  struct Sorted {
+    ConstArray<std::uint32_t> poses;   // cell * orientations + orientation, by ascending range sum
+    ConstArray<std::uint32_t> starts;  // [range sum]: first of poses with at least that sum
+  };
+  EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
+             const EnergyGridOptions& options, Sorted sorted);
+  Sorted sort(const StopToken& stop) const;
+  bool isSorted() const;
+  std::size_t countPoses() const {
+    return ranges_->size() * static_cast<std::size_t>(orientations_);
+  }
+  std::size_t countSums() const { return directions_.size() * kNoReturn + 1; }
+  int firstDirection(int orientation) const;
+  int beams() const { return static_cast<int>(directions_.size()); }
+
+  std::shared_ptr<const RangeTable> ranges_;
+  ScanGeometry geometry_;
+  int orientations_;
+  std::vector<int> directions_;  // of the energy's beams, from beam 0 on
+  double ser_delta_;
+  Sorted sorted_;
+};
+
+}  // namespace adaptive_localization
