@@ -19,3 +19,4 @@ env -u LD_LIBRARY_PATH "$installed/lib/adaptive_localization/replay" --help > /d
 
 "$cmake" -S "$(dirname "$0")" -B "$work/foreign" "-DCMAKE_PREFIX_PATH=$installed;${CMAKE_PREFIX_PATH:-}"
 "$cmake" --build "$work/foreign"
+{ "$work/foreign/01_track_log" 2>&1 || true; } | grep -q "usage: 01_track_log"
