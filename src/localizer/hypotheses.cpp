@@ -84,8 +84,17 @@ void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
   }
 }
 
+/// Word rules out nothing.
+double Hypotheses::bestBesidesWord() const {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Hypothesis& hypothesis : all_) {
+    best = std::max(best, hypothesis.log_odds - hypothesis.word);
+  }
+  return best;
+}
+
 bool Hypotheses::lackSome() const {
-  return left_out_ && *left_out_ >= all_.front().log_odds - kMargin;
+  return left_out_ && *left_out_ >= bestBesidesWord() - kMargin;
 }
 
 bool Hypotheses::waitForSome() const {
@@ -260,17 +269,14 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   }
 }
 
-/// Word rules out nothing, nor does a place that is spared rule out what explains the scan.
+/// Nor does a place that is spared rule out what explains the scan.
 void Hypotheses::prune() {
   std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.log_odds > b.log_odds;
   });
-  double best = -std::numeric_limits<double>::infinity();
-  bool is_disputed = false;
-  for (const Hypothesis& hypothesis : all_) {
-    best = std::max(best, hypothesis.log_odds - hypothesis.word);
-    is_disputed = is_disputed || hypothesis.is_spared;
-  }
+  const double best = bestBesidesWord();
+  const bool is_disputed = std::any_of(
+      all_.begin(), all_.end(), [](const Hypothesis& hypothesis) { return hypothesis.is_spared; });
   std::vector<Hypothesis> before;
   before.swap(all_);
   for (const Hypothesis& hypothesis : before) {

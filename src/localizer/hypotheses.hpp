@@ -194,6 +194,7 @@ class Hypotheses {
                     double usual);
 
   bool hasLeader() const;
+  double bestBesidesWord() const;
   void choose(double share);
   double loss(double error, double usual) const;
   double tolerated(double level) const;

@@ -336,6 +336,13 @@ TEST(Hypotheses, LackPlacesThatHadNoRoomUnlessOneIsLikelierByFar) {
   EXPECT_TRUE(kept.lackSome());
 }
 
+TEST(Hypotheses, WordDoesNotMakeUpForPlacesThatHadNoRoom) {
+  Hypotheses told(asymmetricWorld());
+  told.addKept(kTruth, TrackingOdds(true));
+  told.addFound(placesOfGrid(101), 0.0);
+  EXPECT_TRUE(told.lackSome()) << "any of those that were left out may be the right one";
+}
+
 TEST(Hypotheses, ManyNewPlacesAreJudgedInTurnsAndNoneIsAModeBefore) {
   Hypotheses hypotheses(asymmetricWorld());
   std::vector<Place> places = placesOfGrid(99);
