@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -24,6 +25,8 @@
 
 namespace adaptive_localization {
 namespace {
+
+constexpr std::size_t kViews = 60;  // of a report
 
 void warn(const std::vector<std::string>& warnings) {
   for (const auto& warning : warnings) std::cerr << "replay: warning: " << warning << '\n';
@@ -81,11 +84,25 @@ std::vector<StampedPose> estimates(const RunRecord& run) {
   return poses;
 }
 
+/// What scripts/report makes a page of.
+void writeReport(const std::string& folder, const RunDescription& description,
+                 const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics) {
+  std::error_code ignored;  // it shows at the first file
+  std::filesystem::create_directories(folder, ignored);
+  saveMap(map, folder + "/map");
+  saveScans(run, folder + "/scans.csv");
+  saveJson(toJson(run.views), folder + "/views.json");
+  saveJson(toJson(description, metrics), folder + "/run.json");
+}
+
 void writeResults(const ReplayCommand& command, const RunDescription& description,
                   const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics) {
   if (!command.trajectory_file.empty()) saveTum(estimates(run), command.trajectory_file);
   if (!command.json_file.empty()) saveJson(toJson(description, metrics), command.json_file);
   if (!command.plot_file.empty()) savePlot(map, run, metrics, command.plot_file);
+  if (!command.report_folder.empty()) {
+    writeReport(command.report_folder, description, map, run, metrics);
+  }
   if (!command.is_quiet) std::cout << summarize(description, metrics) << '\n';
 }
 
@@ -129,7 +146,9 @@ void replay(const ReplayCommand& command) {
   RunRecord run;
   {
     ProgressBar bar(log.scans.size(), !command.is_quiet);
-    run = runLog(log, localizer, [&bar](std::size_t done) { bar.show(done); });
+    const std::size_t views = command.report_folder.empty() ? 0 : kViews;
+    run = runLog(
+        log, localizer, [&bar](std::size_t done) { bar.show(done); }, views);
   }
   warn(run.warnings);
   const LocalizerOptions& options = localizer.options();

@@ -130,6 +130,7 @@ Metrics measure(const RunRecord& run) {
     double& longest = is_first ? metrics.update_ms_first : metrics.update_ms_longest;
     longest = std::max(longest, step.update_ms);
     confidences.push_back(step.confidence);
+    metrics.status[toText(step.status)] += 1.0 / static_cast<double>(run.steps.size());
     if (!step.updated) continue;
     times.push_back(step.update_ms);
     cpu_times.push_back(step.cpu_ms);

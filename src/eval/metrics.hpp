@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "eval/calibration.hpp"
@@ -54,8 +56,9 @@ struct Metrics {
   int particles_max{0};
   int jumps{0};  // how often the estimate left the odometry by more than kLostDistance
   double confidence_mean{0.0};
-  std::optional<ErrorMetrics> errors;  // none without a reference
-  double tracking_share{0.0};          // of the updates
+  std::optional<ErrorMetrics> errors;    // none without a reference
+  std::map<std::string, double> status;  // share of the scans, by status
+  double tracking_share{0.0};            // of the updates
   double nowhere_share{0.0};  // of the updates; lost or globalizing: no place explains them
 };
 

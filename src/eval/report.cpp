@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/report.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -68,6 +70,7 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json.update(errorsToJson(metrics));
   json["jumps"] = metrics.jumps;
   json["confidence_mean"] = metrics.confidence_mean;
+  json["status"] = metrics.status;
   json["tracking_share"] = metrics.tracking_share;
   json["nowhere_share"] = metrics.nowhere_share;
   return json;
@@ -91,6 +94,51 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
        << std::setprecision(0) << metrics.particles_mean << " particles, " << std::setprecision(2)
        << "confidence " << metrics.confidence_mean;
   return text.str();
+}
+
+void saveScans(const RunRecord& run, const std::string& file) {
+  std::ofstream output(file);
+  output << "stamp,x,y,yaw,deviation,status,confidence,fit,modes,particles,updated,update_ms,"
+            "reference_x,reference_y,reference_yaw\n"
+         << std::setprecision(15);
+  for (const RunStep& step : run.steps) {
+    const Pose2& pose = step.T_map_base;
+    output << step.stamp << ',' << pose.x << ',' << pose.y << ',' << pose.theta << ','
+           << std::sqrt(std::max(0.0, step.covariance(0, 0) + step.covariance(1, 1))) << ','
+           << toText(step.status) << ',' << step.confidence << ',' << step.fit << ',' << step.modes
+           << ',' << step.particles << ',' << step.updated << ',' << step.update_ms << ',';
+    if (step.T_map_base_reference) {
+      const Pose2& truth = *step.T_map_base_reference;
+      output << truth.x << ',' << truth.y << ',' << truth.theta << '\n';
+    } else {
+      output << ",,\n";
+    }
+  }
+  output.flush();
+  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
+}
+
+nlohmann::json toJson(const std::vector<RunView>& views) {
+  const auto rows = [](const Eigen::Array3Xd& columns) {
+    nlohmann::json all = nlohmann::json::array();
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      all.push_back({columns(0, i), columns(1, i), columns(2, i)});
+    }
+    return all;
+  };
+  nlohmann::json all = nlohmann::json::array();
+  for (const RunView& view : views) {
+    nlohmann::json modes = nlohmann::json::array();
+    for (const Mode& mode : view.modes) {
+      const Pose2& pose = mode.T_map_base;
+      modes.push_back({pose.x, pose.y, pose.theta, mode.mass});
+    }
+    all.push_back({{"stamp", view.stamp},
+                   {"modes", modes},
+                   {"hits", rows(view.hits)},
+                   {"particles", rows(view.particles)}});
+  }
+  return all;
 }
 
 void saveJson(const nlohmann::json& json, const std::string& file) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "eval/metrics.hpp"
 
@@ -24,6 +25,13 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
 
 /// The same in one line for people.
 std::string summarize(const RunDescription& description, const Metrics& metrics);
+
+/// A table with a line for each scan, empty where there is no reference; metres, radians,
+/// milliseconds. Throws std::runtime_error naming the file that could not be written.
+void saveScans(const RunRecord& run, const std::string& file);
+
+/// Modes as x, y, yaw, mass; hits as x, y and how far they are from the map's walls.
+nlohmann::json toJson(const std::vector<RunView>& views);
 
 /// Throws std::runtime_error naming the file that could not be written.
 void saveJson(const nlohmann::json& json, const std::string& file);

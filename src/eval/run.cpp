@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,33 @@ std::optional<BaseVelocity> velocityBetween(const LogScan& before, const LogScan
   if (!(seconds > 1e-3 && seconds < kLongest)) return std::nullopt;
   const Pose2 motion = between(before.T_odom_base, after.T_odom_base);
   return BaseVelocity{motion.x / seconds, motion.y / seconds, motion.theta / seconds};
+}
+
+/// Columns for the hits of a scan taken at a pose.
+Eigen::Array3Xd hitsOf(const Scan& scan, const Pose2& T_map_base, const DistanceField& field) {
+  Eigen::Array3Xd hits(3, scan.x.size());
+  for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
+    const Eigen::Vector2d hit = T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]);
+    hits.col(i) << hit.x(), hit.y(), field.at(hit);
+  }
+  return hits;
+}
+
+Eigen::Array3Xd someOf(const Particles& particles) {
+  constexpr Eigen::Index kMost = 200;
+  const Eigen::Index count = std::min(particles.size(), kMost);
+  Eigen::Array3Xd some(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Pose2 pose = particles.pose(i * particles.size() / count);
+    some.col(i) << pose.x, pose.y, pose.theta;
+  }
+  return some;
+}
+
+RunView viewOf(const LogScan& log_scan, const RunStep& step, const Localizer& localizer) {
+  const Scan scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions());
+  return {step.stamp, localizer.modes(), hitsOf(scan, step.T_map_base, localizer.field()),
+          someOf(localizer.hypotheses())};
 }
 
 RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer) {
@@ -50,6 +78,8 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   result.status = answer.status;
   result.updated = answer.updated;
   result.particles = static_cast<int>(localizer.hypotheses().size());
+  result.fit = localizer.confidence().latestFit();
+  result.modes = static_cast<int>(answer.modes.size());
   return result;
 }
 
@@ -62,7 +92,8 @@ BaseVelocity velocityAt(const Log& log, std::size_t i) {
   return velocity.value_or(BaseVelocity{});
 }
 
-RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress) {
+RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progress,
+                 std::size_t views) {
   RunRecord run;
   run.steps.reserve(log.scans.size());
   const Stopwatch watch;
@@ -71,6 +102,9 @@ RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progre
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     try {
       run.steps.push_back(step(log.scans[i], velocityAt(log, i), localizer));
+      if (run.views.size() < (i * views) / log.scans.size() + (views > 0 ? 1 : 0)) {
+        run.views.push_back(viewOf(log.scans[i], run.steps.back(), localizer));
+      }
     } catch (const std::invalid_argument& error) {
       if (run.skipped++ == 0) first_problem = error.what();
     }

@@ -10,6 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
 
 TEST_F(Replay, FollowsADriveAndWritesAll) {
   const ProgramResult result =
@@ -125,6 +127,38 @@ TEST_F(Replay, HelpsOnStandardOutput) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, HasSubstr("usage: replay --map MAP.yaml --log FILE"));
   EXPECT_THAT(result.output, HasSubstr("  slip     7.5 deg   odometry turns by this"));
+}
+
+TEST_F(Replay, KeepsTheWholeRunForAReport) {
+  const std::string folder = folder_.file("report");
+  const ProgramResult result = replay({"--truth", truth_, "--report", folder, "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const std::string scans = readWhole(folder + "/scans.csv");
+  EXPECT_EQ(std::count(scans.begin(), scans.end(), '\n'), kSteps + 1);
+  EXPECT_THAT(scans, StartsWith("stamp,x,y,yaw,"));
+  EXPECT_THAT(scans, HasSubstr(",tracking,"));
+  const auto views = nlohmann::json::parse(readWhole(folder + "/views.json"));
+  ASSERT_GT(views.size(), 20U);
+  EXPECT_LE(views.size(), static_cast<std::size_t>(kSteps));
+  EXPECT_GT(views[0].at("hits").size(), 100U);
+  EXPECT_LT(views[0].at("hits")[0][2], 0.1) << "a hit is on a wall";
+  EXPECT_GT(views[0].at("particles").size(), 50U);
+  const auto numbers = nlohmann::json::parse(readWhole(folder + "/run.json"));
+  double shares = 0.0;
+  for (const auto& entry : numbers.at("status").items()) shares += entry.value().get<double>();
+  EXPECT_NEAR(shares, 1.0, 1e-9);
+  EXPECT_EQ(loadMap(folder + "/map.yaml").lattice().width(), 124);
+
+  const ProgramResult page = runProgram(SOURCE_DIR "/scripts/report", {folder});
+  ASSERT_EQ(page.exit_code, 0) << page.errors;
+  const std::string text = readWhole(folder + "/report.html");
+  EXPECT_THAT(text, HasSubstr("The drive"));
+  EXPECT_THAT(text, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(text, Not(HasSubstr("http"))) << "everything is in it";
+
+  const ProgramResult wrong = runProgram(SOURCE_DIR "/scripts/report", {folder_.file("nosuch")});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_THAT(wrong.errors, HasSubstr("nosuch"));
 }
 
 }  // namespace
