@@ -21,6 +21,7 @@
 #include "eval/report.hpp"
 #include "eval/search_run.hpp"
 #include "eval/start.hpp"
+#include "localizer/untuned.hpp"
 #include "observation/landmark_model.hpp"
 
 namespace adaptive_localization {
@@ -128,7 +129,11 @@ void checkFit(const ReplayCommand& command, const Metrics& metrics) {
   throw std::runtime_error(text.str());
 }
 
-void replay(const ReplayCommand& command) {
+void replay(const ReplayCommand& asked) {
+  ReplayCommand command = asked;
+  const TunedParameters given = tuned(asked.parameters);
+  if (!given.remark.empty() && !command.is_quiet) std::cerr << "replay: " << given.remark << '\n';
+  command.parameters = given.parameters;
   OccupancyGrid good_map = loadMap(command.map);
   const auto spoil_seed = static_cast<std::uint64_t>(
       command.spoil_seed.value_or(command.parameters.read<LocalizerOptions>().seed));

@@ -17,7 +17,7 @@
 namespace adaptive_localization {
 
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node)
-    : parameters_(readParameters(private_node)),
+    : parameters_(withoutUntuned(readParameters(private_node))),
       options_(readNodeOptions(withCacheDir(parameters_))),
       prior_(startOf(options_)),
       tf_input_(tf_),

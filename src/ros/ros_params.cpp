@@ -7,6 +7,7 @@
 
 #include "amcl_keys.hpp"
 #include "core/suggestion.hpp"
+#include "localizer/untuned.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -63,6 +64,12 @@ void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::
     }
   }
   if (!unused.empty()) ROS_INFO("Parameters of amcl that have no effect here:%s", unused.c_str());
+}
+
+Parameters withoutUntuned(const Parameters& given) {
+  const TunedParameters result = tuned(given);
+  if (!result.remark.empty()) ROS_WARN("%s", result.remark.c_str());
+  return result.parameters;
 }
 
 }  // namespace adaptive_localization

@@ -16,4 +16,7 @@ Parameters readParameters(const ros::NodeHandle& node);
 /// perhaps misspelt, as warnings by name, with the known one that is nearest.
 void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::string>& known);
 
+/// Names those that have amcl's usual values, and leaves them out if amcl_compatibility says so.
+Parameters withoutUntuned(const Parameters& given);
+
 }  // namespace adaptive_localization

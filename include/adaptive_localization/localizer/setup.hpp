@@ -16,6 +16,7 @@ namespace adaptive_localization {
 struct LocalizerOptions {
   std::string filter{"sa_kld"};
   std::string preset{"recommended"};
+  std::string amcl_compatibility{"keep"};
   std::string plugins;  // paths, separated by colons
   int seed{1};
   int threads{1};
@@ -31,6 +32,10 @@ struct LocalizerOptions {
     option("preset", preset, Choices{"recommended", "seed", "fp"},
            "Values of options that are not given: what we recommend, or the literature's; fp, of "
            "mcl, is the particle filter that swarms were compared with.");
+    option(
+        "amcl_compatibility", amcl_compatibility, Choices{"keep", "ignore_untuned"},
+        "Parameters of filter, laser and odometry that have amcl's usual values at the start: keep "
+        "them, or ignore them, as nobody tuned them and the defaults are more accurate.");
     option("plugins", plugins, Choices{},
            "Shared libraries with filter cores and models of your own, separated by colons.");
     option("seed", seed, kWhole, "", "Seed of all randomness.");
