@@ -27,7 +27,7 @@ class MapFileError : public std::invalid_argument {
 /// Throws MapFileError.
 OccupancyGrid loadMap(const std::string& yaml_file);
 
-/// Writes <base>.pgm and <base>.yaml as map_saver does (254 free, 0 occupied, 205 unknown).
+/// Writes BASE.pgm and BASE.yaml as map_saver does (254 free, 0 occupied, 205 unknown).
 /// Throws std::runtime_error naming the file that could not be written.
 void saveMap(const OccupancyGrid& grid, const std::string& base);
 
