@@ -12,8 +12,10 @@
 #include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "core/scan_timing.hpp"
 #include "core/suggestion.hpp"
 #include "eval/log_reader.hpp"
+#include "eval/log_spoiler.hpp"
 #include "eval/plot.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
@@ -37,8 +39,8 @@ void warn(const std::vector<std::string>& warnings) {
 std::vector<std::string> knownKeys(const Localizer& localizer) {
   std::vector<std::string> keys = keysOf(localizer.allOptions());
   for (const auto& rows :
-       {describe(FrameOptions{}), describe(HeadingTopics{}), describe(SonarTopics{}),
-        describe(LandmarkTopics{}), describe(StartOptions{})}) {
+       {describe(FrameOptions{}), describe(ScanTiming{}), describe(HeadingTopics{}),
+        describe(SonarTopics{}), describe(LandmarkTopics{}), describe(StartOptions{})}) {
     for (const auto& key : keysOf(rows)) keys.push_back(key);
   }
   return keys;
@@ -76,6 +78,9 @@ Log readLog(const ReplayCommand& command) {
   request.landmark_map = knownLandmarks(command.parameters.read<LandmarkOptions>());
   Log log = adaptive_localization::readLog(request);
   if (!command.truth_file.empty()) setReference(loadTum(command.truth_file, log.warnings), log);
+  for (LogScan& scan : log.scans) {
+    if (command.T_base_laser) scan.mount = LaserMount::level(*command.T_base_laser);
+  }
   return log;
 }
 
@@ -141,6 +146,12 @@ void replay(const ReplayCommand& asked) {
       std::make_shared<const OccupancyGrid>(spoil(std::move(good_map), command.spoils, spoil_seed));
   Localizer localizer(command.parameters, map);
   Log log = spoil(readLog(command), command.spoils, spoil_seed);
+  const double offset = command.parameters.read<ScanTiming>().scan_time_offset;
+  if (offset != 0.0) log = restamped(std::move(log), offset);
+  if (offset != 0.0 && log.scans.empty()) {
+    throw std::invalid_argument("option 'scan_time_offset': got " + std::to_string(offset) +
+                                ", expected one that leaves a scan with odometry");
+  }
   const Prior prior = startPrior(command.start, command.parameters.read<StartOptions>(), log);
   checkStart(command.start, prior, *map);
   warn(log.warnings);
@@ -160,7 +171,8 @@ void replay(const ReplayCommand& asked) {
   const Metrics metrics = measure(run);
   writeResults(command,
                {command.log.file, command.map, options.filter, options.seed, options.threads,
-                startText(command.start, prior), toText(command.spoils), spoil_seed},
+                startText(command.start, prior), toText(command.spoils), spoil_seed,
+                log.scans.front().mount},
                *map, run, metrics);
   checkFit(command, metrics);
 }

@@ -78,22 +78,8 @@ Log lose(const Log& log, double share, Rng& rng) {
   return keep(log, [&](const LogScan&) { return number++ == 0 || rng.uniform() >= share; });
 }
 
-/// What is seen now is stamped later: odometry and reference are those of the stamp. Scans at the
-/// end whose stamps are later than any odometry are lost.
 Log delay(Log log, double seconds, Rng&) {
-  std::vector<StampedPose> odometry, reference;
-  for (const auto& scan : log.scans) {
-    odometry.push_back({scan.scan.stamp, scan.T_odom_base});
-    if (scan.T_map_base) reference.push_back({scan.scan.stamp, *scan.T_map_base});
-  }
-  const Trajectory odom(std::move(odometry)), truth(std::move(reference));
-  for (auto& scan : log.scans) {
-    scan.scan.stamp += seconds;
-    if (scan.T_map_base) scan.T_map_base = truth.at(scan.scan.stamp);
-    if (const auto pose = odom.at(scan.scan.stamp)) scan.T_odom_base = *pose;
-  }
-  const double last = odom.empty() ? 0.0 : odom.poses().back().stamp;
-  return keep(std::move(log), [&](const LogScan& scan) { return scan.scan.stamp <= last; });
+  return restamped(std::move(log), seconds);
 }
 
 Log thin(const Log& log, double way, Rng&) {
@@ -111,6 +97,25 @@ Log thin(const Log& log, double way, Rng&) {
 }
 
 }  // namespace
+
+Log restamped(Log log, double seconds) {
+  std::vector<StampedPose> odometry, reference;
+  for (const auto& scan : log.scans) {
+    odometry.push_back({scan.scan.stamp, scan.T_odom_base});
+    if (scan.T_map_base) reference.push_back({scan.scan.stamp, *scan.T_map_base});
+  }
+  const Trajectory odom(std::move(odometry)), truth(std::move(reference));
+  for (auto& scan : log.scans) {
+    scan.scan.stamp += seconds;
+    if (scan.T_map_base) scan.T_map_base = truth.at(scan.scan.stamp);
+    if (const auto pose = odom.at(scan.scan.stamp)) scan.T_odom_base = *pose;
+  }
+  if (odom.empty()) return log;
+  const double first = odom.poses().front().stamp, last = odom.poses().back().stamp;
+  return keep(std::move(log), [&](const LogScan& scan) {
+    return scan.scan.stamp >= first && scan.scan.stamp <= last;
+  });
+}
 
 const Damages<Log>& logDamages() {
   static const Damages<Log> all{

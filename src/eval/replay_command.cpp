@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "eval/arguments.hpp"
+#include "eval/start.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -58,6 +59,9 @@ ArgumentParser makeParser(ReplayCommand& command, GivenParameters& given) {
   parser.list("--spoil", [&](const auto& v) { command.spoils.push_back(parseSpoil(v)); });
   parser.option("--spoil-seed",
                 [&](const auto& v) { command.spoil_seed = toSeed("--spoil-seed", v); });
+  parser.option("--mount", [&](const auto& v) {
+    command.T_base_laser = toPose("--mount", v, "X,Y,YAW in m and rad");
+  });
   parser.text("--scan-topic", command.log.scan_topic);
   parser.text("--odom-topic", command.log.odom_topic);
   parser.text("--truth-topic", command.log.truth_topic);
@@ -93,6 +97,7 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
                           make map, odometry or scans poor first, in this order; the reference
                           stays as it is. The kinds are below
   --spoil-seed N          of what is random in that; otherwise the run's seed
+  --mount X,Y,YAW         where a level laser sits on the robot (m, rad), whatever the log says
   --scan-topic T          laser scans; needed only if the bag has several such topics
   --odom-topic T          odometry from this topic rather than from /tf
   --truth-topic T         reference poses from the bag

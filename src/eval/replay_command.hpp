@@ -18,6 +18,7 @@ struct ReplayCommand {
   Parameters parameters;  // --params in order, then --set, then --filter, --seed, --threads
   std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
+  std::optional<Pose2> T_base_laser;  // in place of what the log says
   std::string trajectory_file, json_file, plot_file, report_folder;
   std::vector<Spoil> spoils;
   std::optional<int> spoil_seed;  // none: the run's

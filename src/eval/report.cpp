@@ -50,6 +50,8 @@ nlohmann::json toJson(const RunDescription& description, const Metrics& metrics)
   json["start"] = description.start;
   json["spoil"] = description.spoil;
   json["spoil_seed"] = description.spoil_seed;
+  json["mount"] = {description.mount.position.x(), description.mount.position.y(),
+                   std::atan2(description.mount.axes(1, 0), description.mount.axes(0, 0))};
   json["seed"] = description.seed;
   json["threads"] = description.threads;
   json["scans"] = metrics.scans;
@@ -99,14 +101,16 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
 void saveScans(const RunRecord& run, const std::string& file) {
   std::ofstream output(file);
   output << "stamp,x,y,yaw,deviation,status,confidence,fit,modes,particles,updated,update_ms,"
-            "reference_x,reference_y,reference_yaw\n"
+            "odom_x,odom_y,odom_yaw,reference_x,reference_y,reference_yaw\n"
          << std::setprecision(15);
   for (const RunStep& step : run.steps) {
     const Pose2& pose = step.T_map_base;
     output << step.stamp << ',' << pose.x << ',' << pose.y << ',' << pose.theta << ','
            << std::sqrt(std::max(0.0, step.covariance(0, 0) + step.covariance(1, 1))) << ','
            << toText(step.status) << ',' << step.confidence << ',' << step.fit << ',' << step.modes
-           << ',' << step.particles << ',' << step.updated << ',' << step.update_ms << ',';
+           << ',' << step.particles << ',' << step.updated << ',' << step.update_ms << ','
+           << step.T_odom_base.x << ',' << step.T_odom_base.y << ',' << step.T_odom_base.theta
+           << ',';
     if (step.T_map_base_reference) {
       const Pose2& truth = *step.T_map_base_reference;
       output << truth.x << ',' << truth.y << ',' << truth.theta << '\n';

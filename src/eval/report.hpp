@@ -18,6 +18,7 @@ struct RunDescription {
   std::string start{};  // where, in words; empty: not told
   std::string spoil{};  // what was spoiled, KIND:AMOUNT with commas between; empty: nothing
   std::uint64_t spoil_seed{1};
+  LaserMount mount{};  // of the first scan
 };
 
 /// Description and numbers of a run; the errors are null without a reference.

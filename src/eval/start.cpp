@@ -28,19 +28,6 @@ Pose2 firstReference(Log& log) {
   return *log.scans.front().T_map_base;
 }
 
-Pose2 parsePose(const std::string& text) {
-  std::istringstream fields(text);
-  Pose2 pose;
-  char comma1{}, comma2{}, rest{};
-  const bool is_read =
-      static_cast<bool>(fields >> pose.x >> comma1 >> pose.y >> comma2 >> pose.theta);
-  if (!is_read || comma1 != ',' || comma2 != ',' || fields >> rest || !isFinite(pose)) {
-    throw std::invalid_argument("--start: got '" + text +
-                                "', expected truth, global or X,Y,YAW in m and rad");
-  }
-  return {pose.x, pose.y, wrapAngle(pose.theta)};
-}
-
 std::string poseText(const Pose2& pose) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << '(' << pose.x << ", " << pose.y << ") m, "
@@ -70,11 +57,23 @@ bool isReference(const std::string& start) {
 
 }  // namespace
 
+Pose2 toPose(const std::string& argument, const std::string& text, const std::string& expected) {
+  std::istringstream fields(text);
+  Pose2 pose;
+  char comma1{}, comma2{}, rest{};
+  const bool is_read =
+      static_cast<bool>(fields >> pose.x >> comma1 >> pose.y >> comma2 >> pose.theta);
+  if (!is_read || comma1 != ',' || comma2 != ',' || fields >> rest || !isFinite(pose)) {
+    throw std::invalid_argument(argument + ": got '" + text + "', expected " + expected);
+  }
+  return {pose.x, pose.y, wrapAngle(pose.theta)};
+}
+
 Prior startPrior(const std::string& start, const StartOptions& options, Log& log) {
   const bool has_reference = std::any_of(log.scans.begin(), log.scans.end(), hasReference);
   if (start == "global" || (start.empty() && !has_reference)) return Anywhere{};
   if (isReference(start)) return options.around(firstReference(log));
-  return options.around(parsePose(start));
+  return options.around(toPose("--start", start, "truth, global or X,Y,YAW in m and rad"));
 }
 
 std::string startText(const std::string& start, const Prior& prior) {

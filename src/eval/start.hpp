@@ -37,6 +37,10 @@ struct StartOptions {
 /// Throws std::invalid_argument saying what was expected.
 Prior startPrior(const std::string& start, const StartOptions& options, Log& log);
 
+/// X,Y,YAW in metres and radians. Throws std::invalid_argument naming the argument, what it got and
+/// what was expected.
+Pose2 toPose(const std::string& argument, const std::string& text, const std::string& expected);
+
 /// Where that is, for people: a pose, and whether it is the reference's, or anywhere.
 std::string startText(const std::string& start, const Prior& prior);
 

@@ -13,6 +13,7 @@
 #include "core/heading_topics.hpp"
 #include "core/landmark_topics.hpp"
 #include "core/name_list.hpp"
+#include "core/scan_timing.hpp"
 #include "core/sonar_topics.hpp"
 
 namespace adaptive_localization {
@@ -24,7 +25,7 @@ struct NodeOptions {
   std::string base_frame_id{"base_link"};
   std::string global_frame_id{"map"};
   std::string scan_topics{"scan"};
-  double scan_time_offset{0.0};
+  ScanTiming timing;
   HeadingTopics headings;
   LandmarkTopics landmarks;
   SonarTopics sonars;
@@ -58,8 +59,7 @@ struct NodeOptions {
         "scan_topics", scan_topics, Choices{},
         "Topics with scans, separated by spaces or commas; empty: a robot without a laser, which "
         "landmarks or sonars localize.");
-    option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
-           "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
+    timing.visit(option);
     headings.visit(option);
     landmarks.visit(option);
     sonars.visit(option);

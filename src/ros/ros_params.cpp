@@ -68,7 +68,7 @@ void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::
 
 Parameters withoutUntuned(const Parameters& given) {
   const TunedParameters result = tuned(given);
-  if (!result.remark.empty()) ROS_WARN("%s", result.remark.c_str());
+  if (!result.remark.empty()) ROS_INFO("%s", result.remark.c_str());
   return result.parameters;
 }
 

@@ -69,10 +69,10 @@ void ScanSource::add(const sensor_msgs::LaserScan::ConstPtr& message) {
   if (last_frame_.empty()) return drop("its frame_id is empty");
   if (!leavesRoom(message->header.stamp)) return drop("its stamp is out of range");
   sensor_msgs::LaserScan::ConstPtr scan = message;
-  if (options_.scan_time_offset != 0.0) {
+  if (options_.timing.scan_time_offset != 0.0) {
     const auto shifted = boost::make_shared<sensor_msgs::LaserScan>(*message);
     try {  // in whole nanoseconds: rounded up by a few, tf would not have the stamp yet
-      shifted->header.stamp += ros::Duration(options_.scan_time_offset);
+      shifted->header.stamp += ros::Duration(options_.timing.scan_time_offset);
     } catch (const std::runtime_error&) {
       return drop("its stamp is out of range");
     }

@@ -153,6 +153,22 @@ TEST(LogSpoiler, LatePairsAScanWithLaterOdometry) {
   }
 }
 
+TEST(LogSpoiler, ScansThatAreStampedAnewTakeTheOdometryOfTheirNewStamps) {
+  const Log good = squares(2);
+  const Log early = restamped(good, -0.2);
+  ASSERT_EQ(early.scans.size(), good.scans.size() - 1) << "no odometry so early";
+  EXPECT_EQ(early.scans[0].scan.ranges[0], 1.0F);
+  EXPECT_THAT(early.scans[0].T_odom_base, PoseNear(good.scans[0].T_odom_base, 1e-6, 1e-6));
+  EXPECT_THAT(*early.scans[5].T_map_base, PoseNear(*good.scans[5].T_map_base, 1e-6, 1e-6));
+  const Log mended = restamped(spoil(good, "late", 0.2, 1), -0.2);
+  for (const LogScan& scan : mended.scans) {
+    const LogScan& known = good.scans[static_cast<std::size_t>(scan.scan.ranges[0])];
+    EXPECT_THAT(scan.T_odom_base, PoseNear(known.T_odom_base, 1e-6, 1e-6));
+  }
+  EXPECT_TRUE(restamped(good, 1e6).scans.empty());
+  EXPECT_TRUE(restamped({}, 1.0).scans.empty());
+}
+
 TEST(LogSpoiler, LateKeepsScansWithoutReferenceWithout) {
   Log log = squares(0);
   log.scans[3].T_map_base.reset();

@@ -23,6 +23,19 @@ void expectRejected(const std::vector<std::string>& arguments, const std::string
               ThrowsMessage<std::invalid_argument>(HasSubstr(why)));
 }
 
+TEST(ReplayCommand, ReadsWhereTheLaserSits) {
+  EXPECT_FALSE(parse({}).T_base_laser);
+  const Pose2 mount = parse({"--mount", "0.1,-0.2,3"}).T_base_laser.value();
+  EXPECT_EQ(mount.x, 0.1);
+  EXPECT_EQ(mount.y, -0.2);
+  EXPECT_EQ(mount.theta, 3.0);
+  EXPECT_THAT(
+      [] {
+        parse({"--mount", "0.1"});
+      },
+      ThrowsMessage<std::invalid_argument>("--mount: got '0.1', expected X,Y,YAW in m and rad"));
+}
+
 TEST(ReplayCommand, ReadsAllItsArguments) {
   const ReplayCommand command =
       parse({"--start", "-1,2,-3", "--begin", "10.5", "--end", "1e3", "--scan-topic", "/s",

@@ -129,6 +129,20 @@ TEST_F(Replay, HelpsOnStandardOutput) {
   EXPECT_THAT(result.output, HasSubstr("  slip     7.5 deg   odometry turns by this"));
 }
 
+TEST_F(Replay, TakesScansAsTheyShouldHaveBeenStampedAndMounted) {
+  const auto error = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--truth", truth_, "--json", folder_.file("o.json"), "--quiet"});
+    const ProgramResult result = replay(more);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(readWhole(folder_.file("o.json"))).at("ate_rmse_m").get<double>();
+  };
+  EXPECT_GT(error({"--mount", "0.3,0,0"}), error({"--mount", "0,0,0"}) + 0.1);
+  EXPECT_GT(error({"--spoil", "late:1"}), 0.1);
+  EXPECT_LT(error({"--spoil", "late:1", "--set", "scan_time_offset=-1"}), 0.05);
+  expectRejected({"--map", map_, "--log", log_, "--set", "scan_time_offset=9"},
+                 "'scan_time_offset': got 9");
+}
+
 TEST_F(Replay, KeepsTheWholeRunForAReport) {
   const std::string folder = folder_.file("report");
   const ProgramResult result = replay({"--truth", truth_, "--report", folder, "--quiet"});

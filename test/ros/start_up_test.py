@@ -56,6 +56,8 @@ class StartUp(unittest.TestCase):
         code, output = self.run_until_it_waits()
         self.assertEqual(code, 0, output)
         self.assertNotIn("WARN", output)
+        self.assertIn("amcl's usual values", output)
+        self.assertIn("laser_max_beams", output)
         self.assertIn("laser_sigma_hit: 0.2\n", output)
         self.assertIn("no effect here: bag_scan_period", output)
 
