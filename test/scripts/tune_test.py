@@ -73,6 +73,12 @@ class Tune(unittest.TestCase):
         self.assertEqual(self.tune()[1], output)
         self.assertEqual(len((self.folder / "calls").read_text()), calls + 2, "only the two that judge, anew")
 
+    def test_needs_a_reference(self):
+        done = subprocess.run(["/usr/bin/python3", str(SCRIPT), "--map", "m", "--log", "l", "--out", str(self.folder / "out")],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--truth", done.stderr)
+
     def test_says_why_replay_failed(self):
         (self.folder / "replay").write_text("#!/bin/sh\necho 'replay: no such map' >&2\nexit 1\n")
         code, _, errors = self.tune()
