@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "../ros/amcl_keys.hpp"
 #include "../ros/node_options.hpp"
 #include "adaptive_localization/map/map_io.hpp"
+#include "core/audience.hpp"
 #include "core/scan_timing.hpp"
 #include "core/suggestion.hpp"
 #include "eval/log_reader.hpp"
@@ -49,7 +49,7 @@ std::vector<std::string> knownKeys(const Localizer& localizer) {
 /// The node's parameters, and amcl's, may be in the same file.
 bool isOfNode(const std::string& key) {
   const auto of_node = keysOf(describe(NodeOptions{}));
-  return std::count(of_node.begin(), of_node.end(), key) > 0 || amclKeys().count(key) > 0;
+  return std::count(of_node.begin(), of_node.end(), key) > 0 || audienceOf(key) == Audience::kAmcl;
 }
 
 /// Says which parameters nobody reads: the node's own in one line, others, perhaps misspelt, each.

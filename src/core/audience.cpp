@@ -22,7 +22,8 @@ const std::set<std::string> kForUsers{
     "landmark_view", "reflector_intensity", "ekf_landmarks", "sonar_topics", "sonar_frame_prefix",
     "sonar_view", "sonar_max_range", "sonar_sigma"};
 
-const std::set<std::string> kOfAmcl{"base_frame_id",
+const std::set<std::string> kOfAmcl{"bag_scan_period",
+                                    "base_frame_id",
                                     "beam_skip_distance",
                                     "beam_skip_error_threshold",
                                     "beam_skip_threshold",

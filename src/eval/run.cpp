@@ -48,13 +48,9 @@ Eigen::Array3Xd someOf(const Particles& particles) {
   return some;
 }
 
-RunView viewOf(const LogScan& log_scan, const RunStep& step, const Localizer& localizer) {
-  const Scan scan = toScan(log_scan.scan, log_scan.mount, localizer.scanOptions());
-  return {step.stamp, localizer.modes(), hitsOf(scan, step.T_map_base, localizer.field()),
-          someOf(localizer.hypotheses())};
-}
-
-RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer) {
+/// Adds a step, and a view if there are to be more.
+void addStep(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& localizer,
+             std::size_t views, RunRecord& run) {
   const Stopwatch watch;
   const Stopwatch cpu_watch(CLOCK_PROCESS_CPUTIME_ID);
   Observations observations;
@@ -80,7 +76,11 @@ RunStep step(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   result.particles = static_cast<int>(localizer.hypotheses().size());
   result.fit = localizer.confidence().latestFit();
   result.modes = static_cast<int>(answer.modes.size());
-  return result;
+  run.steps.push_back(result);
+  if (run.views.size() >= views) return;
+  run.views.push_back({result.stamp, answer.modes,
+                       hitsOf(observations.scan, answer.T_map_base, localizer.field()),
+                       someOf(localizer.hypotheses())});
 }
 
 }  // namespace
@@ -101,10 +101,8 @@ RunRecord runLog(const Log& log, Localizer& localizer, const RunProgress& progre
   std::string first_problem;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     try {
-      run.steps.push_back(step(log.scans[i], velocityAt(log, i), localizer));
-      if (run.views.size() < (i * views) / log.scans.size() + (views > 0 ? 1 : 0)) {
-        run.views.push_back(viewOf(log.scans[i], run.steps.back(), localizer));
-      }
+      const std::size_t views_by_now = (i * views + views) / log.scans.size();  // evenly spread
+      addStep(log.scans[i], velocityAt(log, i), localizer, views_by_now, run);
     } catch (const std::invalid_argument& error) {
       if (run.skipped++ == 0) first_problem = error.what();
     }

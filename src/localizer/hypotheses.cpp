@@ -269,7 +269,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   }
 }
 
-/// Nor does a place that is spared rule out what explains the scan.
+/// A place that is spared does not rule out what explains the scan.
 void Hypotheses::prune() {
   std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.log_odds > b.log_odds;

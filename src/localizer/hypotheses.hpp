@@ -20,10 +20,12 @@ class PlaceRefiner;
 /// Places where the robot may be, with log odds. They ride on the odometry, are aligned with each
 /// scan, and are judged by their mean range error e against the least of all:
 ///
-///     log odds -= w max(0, e - 1.25 u - t) / s,   u = max(e_min, usual),   s = max(s_0, u / 4)
+///     log odds -= w max(0, e - 1.25 u - t) / s,   u = max(e_min, usual),
+///     s = max(s_0, u / 4 max(1, u / u_r))
 ///
 /// w <= 1 is the share of the scan that is new, t what the map is off by, more where its walls are
-/// rough, s_0 the error that makes a place e times less likely where the map is good. Where even
+/// rough, s_0 the error that makes a place e times less likely where the map is good, u_r that from
+/// which on errors are the map's, alike for all scans nearby. Where even
 /// the best place leaves much unexplained, or much is usual, a little more tells nothing; a scan
 /// that fits nowhere as well as is usual may be of something that the map does not have, and says
 /// little of any place, least of all of the one where the robot was known to be. Where most of a

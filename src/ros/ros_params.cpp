@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "amcl_keys.hpp"
+#include "core/audience.hpp"
 #include "core/suggestion.hpp"
 #include "localizer/untuned.hpp"
 
@@ -57,7 +57,7 @@ Parameters readParameters(const ros::NodeHandle& node) {
 void reportUnknown(const std::vector<std::string>& keys, const std::vector<std::string>& known) {
   std::string unused;
   for (const auto& key : keys) {
-    if (amclKeys().count(key)) {
+    if (audienceOf(key) == Audience::kAmcl) {
       unused += " " + key;
     } else {
       ROS_WARN("Unknown parameter '%s' is ignored%s", key.c_str(), suggestion(key, known).c_str());

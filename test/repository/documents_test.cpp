@@ -86,7 +86,6 @@ TEST(Documents, OptionsOfAmclAreKnownAsSuch) {
   stock.load(std::string(SOURCE_DIR) + "/config/amcl.yaml");
   EXPECT_GT(stock.values().size(), 40U);
   for (const auto& [key, value] : stock.values()) {
-    if (key == "bag_scan_period") continue;  // without effect here
     EXPECT_EQ(audienceOf(key), Audience::kAmcl) << key;
   }
 }

@@ -80,9 +80,6 @@ class Localizer {
   /// Where in the map a scan can have been taken.
   Places& places() const { return *ground_.places; }
 
-  /// All places where the robot may be as of the last scan, most likely first.
-  const std::vector<Mode>& modes() const { return last_.modes; }
-
   /// How far the map's walls are.
   const DistanceField& field() const { return *ground_.field; }
 
