@@ -155,6 +155,8 @@ class Hypotheses {
   /// Of a place aligned with a scan.
   static Eigen::Matrix3d placeCovariance();
 
+  static constexpr std::size_t kMostPlaces = 100;
+  static constexpr double kMargin = 6.0;    // log odds below the best at which a place is ruled out
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
   static constexpr double kFarBetter = 0.5;  // of the error
 

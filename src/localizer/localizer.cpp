@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adaptive_localization/core/rng.hpp"
 #include "core/parallel.hpp"
 #include "estimate_refiner.hpp"
 #include "localizer/recovery.hpp"
@@ -23,11 +22,6 @@ SearchWork workFor(const LocalizerOptions& options) {
   return static_cast<SearchWork>(std::min(1e15, options.update_budget * kPosesPerMillisecond));
 }
 
-bool isUsable(const Particles& particles) {
-  return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
-         particles.theta.allFinite();
-}
-
 /// Plug-ins may answer anything.
 Estimate finite(Estimate estimate) {
   if (isFinite(estimate.T_map_base)) return estimate;
@@ -40,24 +34,6 @@ Eigen::Matrix3d covarianceAbout(const Pose2& T_map_base, const Estimate& estimat
   const Eigen::Vector3d off(mean.x - T_map_base.x, mean.y - T_map_base.y,
                             wrapAngle(mean.theta - T_map_base.theta));
   return estimate.covariance + off * off.transpose();
-}
-
-/// Particles around places, as many around each as its mass says.
-Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng) {
-  Particles particles(count);
-  double upto = 0.0;
-  Eigen::Index i = 0;
-  for (const Mode& mode : modes) {
-    upto += mode.mass * static_cast<double>(count);
-    const Eigen::Vector3d deviation = mode.covariance.diagonal().cwiseSqrt();
-    for (; i < count && static_cast<double>(i) < upto; ++i) {
-      particles.setPose(i, {rng.normal(mode.T_map_base.x, deviation.x()),
-                            rng.normal(mode.T_map_base.y, deviation.y()),
-                            wrapAngle(rng.normal(mode.T_map_base.theta, deviation.z()))});
-    }
-  }
-  for (; i > 0 && i < count; ++i) particles.setPose(i, particles.pose(0));  // masses rounded down
-  return particles;
 }
 
 }  // namespace
@@ -112,32 +88,6 @@ void Localizer::configure(const Parameters& parameters) {
   setup_ = std::move(setup);
 }
 
-void Localizer::reset(const Prior& prior) {
-  const auto* gaussian = std::get_if<Gaussian2>(&prior);
-  if (gaussian && !(isFinite(gaussian->mean) && gaussian->covariance.allFinite())) {
-    throw std::invalid_argument("initial pose: got a number that is not finite");
-  }
-  const auto* cloud = std::get_if<Particles>(&prior);
-  if (cloud && !isUsable(*cloud)) {
-    throw std::invalid_argument("initial particles: got " + std::to_string(cloud->size()) +
-                                ", expected at least one, and finite numbers");
-  }
-  filter_->reset(prior);
-  if (refiner_) refiner_->reset();
-  match_.reset();
-  recovery_->reset(prior);
-  is_anywhere_ = std::holds_alternative<Anywhere>(prior);
-  if (!is_anywhere_) compass_.reset();  // what was learned elsewhere may be wrong
-  gyroscope_.restart();
-  sonars_.forget();
-  T_odom_base_at_update_.reset();
-  last_ = {};
-  last_.status = Status::kGlobalizing;
-  last_.estimate = filter_->estimate();
-  last_.T_map_base = last_.estimate.T_map_base;
-  last_.covariance = last_.estimate.covariance;
-}
-
 void Localizer::setMap(Ground ground) {
   const auto belief = beliefOn(*ground.map);
   build(setup_, std::move(ground), belief);
@@ -153,33 +103,6 @@ std::function<std::shared_ptr<PreparedMap>(Ground)> Localizer::preparer() const 
 void Localizer::setMap(PreparedMap& prepared) {
   use(prepared, beliefOn(*prepared.ground.map));
   requestUpdate();
-}
-
-/// As of the last update: odometry since then is applied by the next one. None before reset().
-std::optional<Prior> Localizer::belief() const {
-  if (last_.status == Status::kUninitialised) return std::nullopt;
-  const Particles& particles = filter_->hypotheses();
-  if (isUsable(particles)) return particles;
-  return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
-}
-
-std::optional<Prior> Localizer::beliefOn(const OccupancyGrid& map) const {
-  const std::optional<Prior> all = belief();
-  const auto* particles = all ? std::get_if<Particles>(&*all) : nullptr;
-  if (!particles) return all;
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < particles->size(); ++i) {
-    if (map.isFree(map.lattice().cellAt({particles->x[i], particles->y[i]}))) free.push_back(i);
-  }
-  if (free.empty() && is_anywhere_) return Anywhere{};
-  if (free.empty()) return Gaussian2{last_.estimate.T_map_base, last_.estimate.covariance};
-  Particles kept(static_cast<Eigen::Index>(free.size()));
-  for (Eigen::Index k = 0; k < kept.size(); ++k) {
-    const Eigen::Index i = free[static_cast<std::size_t>(k)];
-    kept.setPose(k, particles->pose(i));
-    kept.log_weight[k] = particles->log_weight[i];
-  }
-  return kept;
 }
 
 Localization Localizer::update(const Pose2& T_odom_base, const Observations& observations) {
@@ -257,14 +180,6 @@ Estimate Localizer::askCore(const Pose2& motion, const Observations& observation
   match_.reset();
   if (match) match_ = ofWholeScan(*match, seen.scan, observations.scan);
   return answer;
-}
-
-/// To the places that are left.
-void Localizer::moveBelief() {
-  constexpr Eigen::Index kParticles = 2000;
-  Rng rng = Rng(static_cast<std::uint64_t>(setup_.options.seed)).split(++moves_);
-  filter_->reset(Prior(drawFrom(recovery_->modes(), kParticles, rng)));
-  last_.estimate = filter_->estimate();
 }
 
 /// About the pose that is published as of the last update.

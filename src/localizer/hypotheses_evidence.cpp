@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scan and the other senses say of hypotheses.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "kept_place.hpp"
+#include "localizer/hypotheses.hpp"
+#include "ser/place_refiner.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+// Places judged by each scan, where one leads, and at the most of those to be aligned with it.
+constexpr std::size_t kLikeliest = 4, kInTurn = 4, kAtOnce = 40;
+constexpr double kScale = 0.1 / 15.0;  // m, for 15 independent beams
+constexpr double kScaleShare = 0.25;
+constexpr double kRough = 0.12;  // m, above: errors are the map's, alike for all scans nearby
+constexpr double kMostWithoutFit = 1.0;  // of log odds, that a scan says which fits nowhere well,
+constexpr double kMostOfKept = 0.2;      // and that it says of a kept place
+constexpr double kMostBesideScan = 7.0;  // that a sense says in all, where the laser sees as well
+
+}  // namespace
+
+Eigen::ArrayXXd Hypotheses::scores(const Observations& observations) const {
+  Particles places(static_cast<Eigen::Index>(all_.size()));
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    places.setPose(static_cast<Eigen::Index>(i), all_[i].T_map_base);
+  }
+  const auto& senses = senses_->parts();
+  Eigen::ArrayXXd all =
+      Eigen::ArrayXXd::Zero(places.size(), static_cast<Eigen::Index>(senses.size()));
+  for (std::size_t k = 0; k < senses.size() && places.size() > 0; ++k) {
+    auto column = all.col(static_cast<Eigen::Index>(k));
+    senses[k]->score(observations, places, column);
+    column -= column.maxCoeff();
+  }
+  return all;
+}
+
+/// Of log odds. Where walls are rough, the true place may fit worse than another.
+double Hypotheses::loss(double error, double usual) const {
+  const double level = std::max(least_error_, usual);
+  const double share = kScaleShare * std::max(1.0, level / kRough);
+  return std::max(0.0, error - tolerated(level)) / std::max(kScale, share * level);
+}
+
+double Hypotheses::tolerated(double level) const {
+  return withTolerance(level) + ground_.field->quality().roughness();
+}
+
+/// Whether a place is so much likelier than all others that they would be ruled out, did they not
+/// explain the scans.
+bool Hypotheses::hasLeader() const {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double best = kNone, second = kNone;
+  for (const Hypothesis& hypothesis : all_) {
+    second = std::max(second, std::min(best, hypothesis.log_odds));
+    best = std::max(best, hypothesis.log_odds);
+  }
+  return best - second > kMargin;
+}
+
+/// Those that the scan judges; share is how much of it is new. What a search aligned with it costs
+/// no more time.
+void Hypotheses::choose(double share) {
+  std::size_t room = hasLeader() ? kInTurn : kAtOnce, likeliest = 0, added = 0;
+  std::vector<Hypothesis*> others;
+  for (Hypothesis& hypothesis : all_) {
+    hypothesis.share = std::min(1.0, hypothesis.share + share);
+    ++hypothesis.waited;
+    hypothesis.is_due = hypothesis.aligned.has_value() || hypothesis.T_map_core.has_value() ||
+                        hypothesis.was_believed || (!hypothesis.is_new && likeliest++ < kLikeliest);
+    if (hypothesis.is_due) continue;
+    others.push_back(&hypothesis);
+    added += hypothesis.is_new ? 1 : 0;
+  }
+  const auto before = [](const Hypothesis* a, const Hypothesis* b) {
+    return std::make_pair(!a->is_new, -a->waited) < std::make_pair(!b->is_new, -b->waited);
+  };
+  std::stable_sort(others.begin(), others.end(), before);
+  room = std::max(room, std::min(added, kAtOnce));
+  if (others.size() > room) others.resize(room);
+  for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
+}
+
+double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
+                          double usual) const {
+  double lost = loss(hypothesis.error, usual);
+  if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
+  hypothesis.is_explained = lost == 0.0;
+  if (!hypothesis.is_kept) return lost;
+  const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+  hypothesis.is_spared = lost > most;
+  return std::min(lost, most);
+}
+
+void Hypotheses::weigh(const Observations& observations, double share, double usual) {
+  const Scan& scan = observations.scan;
+  const bool is_seen = scan.hits() > 0;
+  const PlaceRefiner refiner = refinerFor(scan);
+  choose(share);
+  is_seen ? align(refiner, usual) : correctBySenses(observations);
+  if (is_seen && led_to_ && all_.size() < kMostPlaces) {
+    all_.push_back(*led_to_);
+    least_error_ = std::min(least_error_, led_to_->error);
+  }
+  const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
+  const Eigen::ArrayXXd told = scores(observations);
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    Hypothesis& hypothesis = all_[i];
+    if (!hypothesis.is_due) continue;
+    const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
+    const double worth = is_found ? 1.0 : hypothesis.share;
+    if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
+    for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
+      const double by_sense = told(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      const double most = senses_->parts()[k]->mostInAll();
+      hypothesis.hear(k, worth * by_sense, is_seen ? std::min(most, kMostBesideScan) : most);
+    }
+    hypothesis.is_new = false;
+    hypothesis.waited = 0;
+    hypothesis.share = 0.0;
+  }
+}
+
+}  // namespace adaptive_localization
