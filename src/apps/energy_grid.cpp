@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -12,9 +14,9 @@
 
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/energy_command.hpp"
-#include "eval/energy_picture.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
+#include "eval/report.hpp"
 #include "eval/stopwatch.hpp"
 #include "map/ray_caster.hpp"
 #include "ser/place_search.hpp"
@@ -86,6 +88,38 @@ void printPlaces(const std::shared_ptr<const EnergyGrid>& grid,
   }
 }
 
+/// For scripts/draw: x, y, mean energy over the headings and share of them in a region, of each
+/// cell.
+nlohmann::json toJson(const EnergyCommand& command, const EnergyGrid& grid,
+                      const EnergyGrid::Region& region) {
+  struct Sums {
+    double energy{0.0};
+    std::size_t count{0}, in_region{0};
+  };
+  std::map<std::pair<double, double>, Sums> sums;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const Pose2 pose = grid.pose(i);
+    Sums& cell = sums[{pose.x, pose.y}];
+    cell.energy += grid.energy(i);
+    ++cell.count;
+    cell.in_region += i >= region.begin && i < region.end ? 1U : 0U;
+  }
+  nlohmann::json cells = nlohmann::json::array(), query;
+  for (const auto& [place, cell] : sums) {
+    const auto count = static_cast<double>(cell.count);
+    cells.push_back({place.first, place.second, cell.energy / count,
+                     static_cast<double>(cell.in_region) / count});
+  }
+  if (command.query) query = {command.query->x, command.query->y, command.query->theta};
+  const Lattice& lattice = grid.ranges().lattice();
+  return {{"kind", "energies"},
+          {"map", std::filesystem::absolute(command.map).string()},
+          {"cell_size", grid.ranges().spacing() * lattice.resolution()},
+          {"headings", grid.orientations()},
+          {"query", query},
+          {"cells", cells}};
+}
+
 void run(const EnergyCommand& command) {
   const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
   if (command.query && !map->isFree(map->lattice().cellAt({command.query->x, command.query->y}))) {
@@ -102,20 +136,17 @@ void run(const EnergyCommand& command) {
               grid->ranges().size(), grid->orientations(), grid->size(),
               1e-6 * static_cast<double>(grid->bytes()), seconds);
   printHistogram(*grid);
-  if (!command.query) {
-    if (!command.picture.empty()) saveEnergies(*map, *grid, command.picture);
-    return;
+  EnergyGrid::Region region{};
+  if (command.query) {
+    const auto energy = grid->energyOf(scan);
+    if (!energy) throw std::invalid_argument("--query: no beam of the scan is valid there");
+    region = grid->similarTo(*energy);
+    std::printf("scan: energy %.4f; region: %zu poses within %.3f, %.2f %% of all\n", energy->value,
+                region.size(), energy->delta,
+                100.0 * static_cast<double>(region.size()) / static_cast<double>(grid->size()));
+    printPlaces(grid, map, scan);
   }
-  const auto energy = grid->energyOf(scan);
-  if (!energy) throw std::invalid_argument("--query: no beam of the scan is valid there");
-  const auto region = grid->similarTo(*energy);
-  std::printf("scan: energy %.4f; region: %zu poses within %.3f, %.2f %% of all\n", energy->value,
-              region.size(), energy->delta,
-              100.0 * static_cast<double>(region.size()) / static_cast<double>(grid->size()));
-  printPlaces(grid, map, scan);
-  if (!command.picture.empty()) {
-    saveRegion(*map, *grid, region, *command.query, command.picture);
-  }
+  if (!command.json_file.empty()) saveJson(toJson(command, *grid, region), command.json_file);
 }
 
 }  // namespace

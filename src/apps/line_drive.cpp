@@ -10,13 +10,14 @@
 
 #include "eval/arguments.hpp"
 #include "eval/program.hpp"
+#include "eval/report.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 struct LineDriveCommand {
   LineDrivePlan plan;
-  std::string plot_file;
+  std::string json_file;
   bool wants_help{false};
 };
 
@@ -28,7 +29,7 @@ follow it: by odometry alone, and corrected by the straight lines in scans (ekf_
 ekf_landmarks: lines). Prints errors, deviations and the areas of their 99 % ellipses.
 
   --seconds N            of the drive (default 60)
-  --plot FILE.png        draws ways, ellipses and the lines of the last scan
+  --json FILE            writes ways, covariances and the lines of the last scan, for scripts/draw
   --robot KEY=VALUE ...  options of the simulated robot, as p3dx_simulator --help lists them
   --set KEY=VALUE ...    options of ekf_icp, and of how scans are read
   --help                 print this
@@ -54,7 +55,7 @@ LineDriveCommand parse(const std::vector<std::string>& arguments) {
   parser.option("--seconds", [&](const auto& v) {
     plan.duration = toNumber("--seconds", v, kSeconds, "0.1 to 86400 s");
   });
-  parser.text("--plot", command.plot_file);
+  parser.text("--json", command.json_file);
   parser.list("--robot", into(plan.robot, "--robot"));
   parser.list("--set", into(plan.options, "--set"));
   command.wants_help = !parser.parse(arguments);
@@ -67,7 +68,7 @@ LineDriveCommand parse(const std::vector<std::string>& arguments) {
 void run(const LineDriveCommand& command) {
   const LineDrive drive = driveByLines(command.plan);
   std::fputs(toTable(drive).c_str(), stdout);
-  if (!command.plot_file.empty()) savePlot(drive, command.plot_file);
+  if (!command.json_file.empty()) saveJson(toJson(drive), command.json_file);
 }
 
 }  // namespace

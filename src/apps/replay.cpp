@@ -16,7 +16,6 @@
 #include "core/suggestion.hpp"
 #include "eval/log_reader.hpp"
 #include "eval/log_spoiler.hpp"
-#include "eval/plot.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
 #include "eval/replay_command.hpp"
@@ -105,7 +104,6 @@ void writeResults(const ReplayCommand& command, const RunDescription& descriptio
                   const OccupancyGrid& map, const RunRecord& run, const Metrics& metrics) {
   if (!command.trajectory_file.empty()) saveTum(estimates(run), command.trajectory_file);
   if (!command.json_file.empty()) saveJson(toJson(description, metrics), command.json_file);
-  if (!command.plot_file.empty()) savePlot(map, run, metrics, command.plot_file);
   if (!command.report_folder.empty()) {
     writeReport(command.report_folder, description, map, run, metrics);
   }

@@ -15,7 +15,7 @@
 #include "eval/progress_bar.hpp"
 #include "eval/report.hpp"
 #include "eval/sonar_map_command.hpp"
-#include "eval/sonar_map_picture.hpp"
+#include "eval/sonar_profiles.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -60,15 +60,24 @@ std::vector<SonarMap> makeMaps(const SonarMapCommand& command, const SonarDrive&
   return maps;
 }
 
+/// What scripts/draw draws, and a map for each model.
 void write(const std::string& folder, const std::vector<SonarMap>& maps,
            const std::optional<OccupancyGrid>& surfaces, const SonarDrive& drive) {
   for (const SonarMap& map : maps) {
     const std::filesystem::path place = std::filesystem::path(folder) / map.model;
     std::filesystem::create_directories(place);
     saveMap(map.grid->toOccupancyGrid(), (place / "map").string());
-    saveMaps({map}, surfaces, drive, (place / "map.png").string());
+    saveProbabilities(*map.grid, (place / "probability.pgm").string());
   }
-  saveMaps(maps, surfaces, drive, (std::filesystem::path(folder) / "maps.png").string());
+  const std::filesystem::path place(folder);
+  if (surfaces) saveMap(*surfaces, (place / "truth").string());
+  nlohmann::json path = nlohmann::json::array();
+  for (const Pose2& pose : drive.path) path.push_back({pose.x, pose.y});
+  saveJson({{"kind", "sonar_maps"},
+            {"maps", toJson(maps)},
+            {"path", path},
+            {"has_truth", surfaces.has_value()}},
+           (place / "maps.json").string());
 }
 
 void run(const SonarMapCommand& command) {
@@ -76,7 +85,8 @@ void run(const SonarMapCommand& command) {
     SonarReading sonar;
     sonar.max_range = command.simulation.sonars.sonar_max_range;
     sonar.view = command.simulation.sonars.sonar_view;
-    saveProfiles(command.models, command.evidence, sonar, command.resolution, command.profile_file);
+    saveJson(sonarProfiles(command.models, command.evidence, sonar, command.resolution),
+             command.profile_file);
   }
   const bool is_bag = !command.log.file.empty();
   if (command.world.empty() && !is_bag) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/program_options/option.hpp>
 #include <functional>
 #include <map>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace adaptive_localization {
 
-/// The arguments that a program knows, each with what becomes of its value.
+/// The arguments that a program knows, each with what becomes of its value: --name VALUE or
+/// --name=VALUE.
 class ArgumentParser {
  public:
   /// Takes a value; throws std::invalid_argument if it is wrong.
@@ -23,6 +25,9 @@ class ArgumentParser {
   void option(const std::string& name, Take take);
   void list(const std::string& name, Take take);  // one value or more behind the name
 
+  /// An argument of before; whoever gives it is told what does its work now.
+  void gone(const std::string& name, const std::string& instead);
+
   /// What is no option; otherwise there may be no such thing.
   void others(Take take) { others_ = std::move(take); }
 
@@ -31,15 +36,17 @@ class ArgumentParser {
   bool parse(const std::vector<std::string>& arguments) const;
 
  private:
+  enum class Values { kNone, kOne, kList };
   struct Entry {
     Take take;
-    bool has_value{true};
-    bool is_list{false};
+    Values values;
   };
 
+  std::vector<boost::program_options::option> read(const std::vector<std::string>& arguments) const;
+  void take(const boost::program_options::option& given) const;
   [[noreturn]] void reject(const std::string& name) const;
 
-  std::map<std::string, Entry> entries_;
+  std::map<std::string, Entry> entries_;  // by name with its dashes
   Take others_;
 };
 

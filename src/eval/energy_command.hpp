@@ -12,7 +12,7 @@ namespace adaptive_localization {
 
 /// What the user asked `energy_grid` for.
 struct EnergyCommand {
-  std::string map, picture;
+  std::string map, json_file;
   std::optional<Pose2> query;  // of the laser in map
   double view{180.0};          // degrees
   Parameters options;          // of the energy grid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/line_drive.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
@@ -57,7 +56,8 @@ class Driver {
       : simulation_(Simulation::load(robotOf(plan))),
         map_(std::make_shared<const OccupancyGrid>(
             rasterize(loadFloorPlan(plan.world), kResolution))),
-        line_map_(surfacesOf(loadFloorPlan(plan.world))),
+        walls_(surfacesOf(loadFloorPlan(plan.world))),
+        line_map_(walls_),
         context_(contextOf(plan, map_)),
         alone_(builtins().filters.make("ekf_icp", context_)),
         by_lines_(builtins().filters.make("ekf_icp", context_)),
@@ -75,7 +75,7 @@ class Driver {
   }
 
   LineDrive drive(double duration) {
-    LineDrive drive{map_, {last_}, {}, {}, {}};
+    LineDrive drive{walls_, {last_}, {}, {}, {}};
     Scan scan;
     while (simulation_.time() < duration) {
       const Sensed sensed = simulation_.step();
@@ -129,6 +129,7 @@ class Driver {
 
   Simulation simulation_;
   std::shared_ptr<const OccupancyGrid> map_;
+  std::vector<Segment> walls_;
   LineMap line_map_;
   FilterContext context_;
   std::unique_ptr<Filter> alone_, by_lines_;
@@ -137,6 +138,21 @@ class Driver {
   LineDriveStep last_;
   Pose2 T_odom_base_;
 };
+
+nlohmann::json toJson(const Gaussian2& belief) {
+  const Eigen::Matrix3d& P = belief.covariance;
+  return {belief.mean.x, belief.mean.y, P(0, 0), P(0, 1), P(1, 1)};
+}
+
+nlohmann::json toJson(const Segment& segment) {
+  return {segment.a.x(), segment.a.y(), segment.b.x(), segment.b.y()};
+}
+
+nlohmann::json toJson(const std::vector<Segment>& segments) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const Segment& segment : segments) rows.push_back(toJson(segment));
+  return rows;
+}
 
 std::string rowOf(const LineDriveStep& step) {
   const double ahead = step.T_map_base.theta;
@@ -162,20 +178,6 @@ double ellipseArea(const Gaussian2& belief) {
   return kPi * kWithin * std::sqrt(std::max(0.0, P.determinant()));
 }
 
-std::vector<Pose2> ellipse(const Gaussian2& belief) {
-  constexpr int kPoints = 72;
-  const Eigen::Matrix2d P = belief.covariance.topLeftCorner<2, 2>();
-  const Eigen::Matrix2d root = P.llt().matrixL();
-  std::vector<Pose2> outline;
-  for (int i = 0; i <= kPoints; ++i) {
-    const double angle = 2.0 * kPi * i / kPoints;
-    const Eigen::Vector2d off =
-        std::sqrt(kWithin) * root * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    outline.push_back({belief.mean.x + off.x(), belief.mean.y + off.y(), 0.0});
-  }
-  return outline;
-}
-
 double deviationAlong(const Gaussian2& belief, double angle) {
   const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
   return std::sqrt(std::max(0.0, along.dot(belief.covariance.topLeftCorner<2, 2>() * along)));
@@ -191,6 +193,23 @@ std::string toTable(const LineDrive& drive) {
     text += rowOf(drive.steps[(drive.steps.size() - 1) * i / kParts]);
   }
   return text;
+}
+
+nlohmann::json toJson(const LineDrive& drive) {
+  nlohmann::json steps = nlohmann::json::array(), hits = steps, seen = steps;
+  for (const LineDriveStep& step : drive.steps) {
+    steps.push_back({{"stamp", step.stamp},
+                     {"driven", step.driven},
+                     {"truth", {step.T_map_base.x, step.T_map_base.y}},
+                     {"odometry", toJson(step.odometry)},
+                     {"lines", toJson(step.lines)}});
+  }
+  for (const Eigen::Vector2d& hit : drive.hits) hits.push_back({hit.x(), hit.y()});
+  for (const SeenLine& line : drive.seen) {
+    seen.push_back({{"segment", toJson(line.segment)}, {"is_matched", line.is_matched}});
+  }
+  return {{"kind", "line_drive"}, {"walls", toJson(drive.walls)},     {"steps", steps},
+          {"hits", hits},         {"matched", toJson(drive.matched)}, {"seen", seen}};
 }
 
 }  // namespace adaptive_localization

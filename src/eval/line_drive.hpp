@@ -2,13 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/core/options.hpp"
-#include "adaptive_localization/map/occupancy_grid.hpp"
 #include "map/polygon.hpp"
 
 namespace adaptive_localization {
@@ -37,7 +36,7 @@ struct SeenLine {
 };
 
 struct LineDrive {
-  std::shared_ptr<const OccupancyGrid> map;
+  std::vector<Segment> walls;  // of the floor plan
   std::vector<LineDriveStep> steps;
   std::vector<Eigen::Vector2d> hits;  // of the last scan, in map from where the filter believes
   std::vector<SeenLine> seen;         // the lines among them
@@ -53,17 +52,14 @@ LineDrive driveByLines(const LineDrivePlan& plan);
 /// (p - mean)^T P^-1 (p - mean) <= -2 ln 0.01, P the covariance over (x, y).
 double ellipseArea(const Gaussian2& belief);
 
-/// The outline of that ellipse, in map.
-std::vector<Pose2> ellipse(const Gaussian2& belief);
-
 /// The standard deviation in m of the position in the direction (map frame) of an angle in rad.
 double deviationAlong(const Gaussian2& belief, double angle);
 
 /// Errors, deviations across and along the robot's way and areas, at eleven moments.
 std::string toTable(const LineDrive& drive);
 
-/// Ways, ellipses some metres apart and the lines of the last scan, over the map. Throws
-/// std::runtime_error if the file cannot be written.
-void savePlot(const LineDrive& drive, const std::string& file);
+/// Steps with poses and covariances (xx, xy, yy), walls, and what was seen last; metres, seconds,
+/// radians, in map. scripts/draw draws it.
+nlohmann::json toJson(const LineDrive& drive);
 
 }  // namespace adaptive_localization

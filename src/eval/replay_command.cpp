@@ -68,7 +68,7 @@ ArgumentParser makeParser(ReplayCommand& command, GivenParameters& given) {
   parser.text("--truth", command.truth_file);
   parser.text("--trajectory", command.trajectory_file);
   parser.text("--json", command.json_file);
-  parser.text("--plot", command.plot_file);
+  parser.gone("--plot", "--report FOLDER, and scripts/report FOLDER");
   parser.text("--report", command.report_folder);
   parser.flag("--allow-misfit", command.allows_misfit);
   parser.flag("--quiet", command.is_quiet);
@@ -104,8 +104,8 @@ Drives a localizer through a recording (rosbag, or CARMEN log: plain, .gz, .bz2)
   --truth FILE.tum        reference poses from a file
   --trajectory OUT.tum    write the estimate at every scan
   --json OUT.json         write the numbers
-  --plot OUT.png          draw map, reference and estimate
-  --report FOLDER         keep the whole run there; scripts/report FOLDER makes a page of it
+  --report FOLDER         keep the whole run there; scripts/report FOLDER makes a page of it, with
+                          pictures
   --allow-misfit          end with 0 though the scans do not fit the map: it is another one, say
   --quiet                 print nothing but warnings and errors
   --help                  print this

@@ -19,7 +19,7 @@ struct ReplayCommand {
   std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
   std::optional<Pose2> T_base_laser;  // in place of what the log says
-  std::string trajectory_file, json_file, plot_file, report_folder;
+  std::string trajectory_file, json_file, report_folder;
   std::vector<Spoil> spoils;
   std::optional<int> spoil_seed;  // none: the run's
   int search{0};                  // scans to be searched instead

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -67,6 +68,19 @@ SonarMap makeSonarMap(const std::string& model, const EvidenceOptions& options,
   }
   if (!surfaces) return {model, grid, std::nullopt};
   return {model, grid, scoreOf(*grid, *surfaces)};
+}
+
+void saveProbabilities(const EvidenceGrid& grid, const std::string& file) {
+  const Lattice& lattice = grid.lattice();
+  std::ofstream output(file, std::ios::binary);
+  output << "P5\n" << lattice.width() << ' ' << lattice.height() << "\n255\n";
+  for (int y = lattice.height() - 1; y >= 0; --y) {
+    for (int x = 0; x < lattice.width(); ++x) {
+      output.put(static_cast<char>(std::lround(255.0 * (1.0 - grid.probability({x, y})))));
+    }
+  }
+  output.flush();
+  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
 }
 
 std::string toTable(const std::vector<SonarMap>& maps) {

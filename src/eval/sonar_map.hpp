@@ -39,6 +39,10 @@ SonarMap makeSonarMap(const std::string& model, const EvidenceOptions& options,
                       const std::optional<OccupancyGrid>& surfaces,
                       const std::function<void(std::size_t)>& progress = {});
 
+/// Writes a grey picture of probabilities, black being occupied, with the rows of a map file.
+/// Throws std::runtime_error naming the file that could not be written.
+void saveProbabilities(const EvidenceGrid& grid, const std::string& file);
+
 /// One row per map that has a score, for people.
 std::string toTable(const std::vector<SonarMap>& maps);
 

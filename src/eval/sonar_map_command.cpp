@@ -78,7 +78,7 @@ void check(const SonarMapCommand& command) {
 std::string sonarMapUsage() {
   std::string usage = R"(usage: sonar_map --world WORLD.yaml [options] [KEY:=VALUE ...]
        sonar_map --bag FILE.bag --truth-topic T sonar_topics:=T [options] [KEY:=VALUE ...]
-       sonar_map --profile FILE.png [--model NAME] [KEY:=VALUE ...]
+       sonar_map --profile FILE.json [--model NAME] [KEY:=VALUE ...]
 
 Drives a simulated robot with sonars through a world, or takes a recorded drive, and makes maps of
 what they heard, by inverse models of Moravec and Elfes, of Elfes and of Konolige. Tells how good
@@ -96,10 +96,11 @@ the true map knows what they are.
   --model NAME        moravec-elfes, elfes, konolige or all (default all)
   --resolution R      of the map, m per cell (default 0.05)
   --truth MAP.yaml    the true map (default: that of --world)
-  --out DIR           write DIR/NAME/map.yaml, map.pgm and map.png for each model, DIR/maps.png
+  --out DIR           write DIR/NAME/map.yaml, map.pgm and probability.pgm for each model and
+                      DIR/maps.json; scripts/draw DIR/maps.json draws them side by side
   --json FILE         write the numbers
-  --profile FILE.png  draw what readings of 1, 2, 3 m and so on tell of a cell, along the sonar's
-                      axis and across it
+  --profile FILE.json write what readings of 1, 2, 3 m and so on tell of a cell, along the sonar's
+                      axis and across it; scripts/draw FILE.json draws that
   --quiet             print nothing but errors
   --help              print this
   KEY:=VALUE          an option of the simulation (sonar_mirror_angle:=0.3, people:=3,

@@ -36,11 +36,18 @@ TEST(ReplayCommand, ReadsWhereTheLaserSits) {
       ThrowsMessage<std::invalid_argument>("--mount: got '0.1', expected X,Y,YAW in m and rad"));
 }
 
+TEST(ReplayCommand, TakesValuesBehindAnEqualsSign) {
+  const ReplayCommand command = parse({"--start=-1,2,-3", "--set=a=7", "--json=x=y.json"});
+  EXPECT_EQ(command.start, "-1,2,-3");
+  EXPECT_EQ(toText(command.parameters.values().at("a")), "7");
+  EXPECT_EQ(command.json_file, "x=y.json");
+}
+
 TEST(ReplayCommand, ReadsAllItsArguments) {
   const ReplayCommand command =
       parse({"--start", "-1,2,-3", "--begin", "10.5", "--end", "1e3", "--scan-topic", "/s",
              "--odom-topic", "/o", "--truth-topic", "/t", "--trajectory", "o.tum", "--json",
-             "o.json", "--plot", "o.png", "--quiet"});
+             "o.json", "--report", "o", "--quiet"});
   EXPECT_EQ(command.map, "m.yaml");
   EXPECT_EQ(command.log.file, "a.bag");
   EXPECT_EQ(command.start, "-1,2,-3");
@@ -51,7 +58,7 @@ TEST(ReplayCommand, ReadsAllItsArguments) {
   EXPECT_EQ(command.log.truth_topic, "/t");
   EXPECT_EQ(command.trajectory_file, "o.tum");
   EXPECT_EQ(command.json_file, "o.json");
-  EXPECT_EQ(command.plot_file, "o.png");
+  EXPECT_EQ(command.report_folder, "o");
   EXPECT_TRUE(command.is_quiet);
   EXPECT_FALSE(command.allows_misfit);
   EXPECT_TRUE(parse({"--allow-misfit"}).allows_misfit);
@@ -80,6 +87,8 @@ TEST(ReplayCommand, RejectsWhatItDoesNotKnow) {
   };
   expectRejected(with({"--speed", "3"}), "unknown argument '--speed'");
   expectRejected(with({"stray"}), "unknown argument 'stray'");
+  expectRejected(with({"--quiet=1"}), "--quiet takes no value");
+  expectRejected(with({"--plot", "x.png"}), "--plot is no more, expected --report FOLDER");
   expectRejected(with({"--thread", "3"}), "'--thread'; did you mean '--threads'?");
   expectRejected(with({"--qiuet"}), "'--qiuet'; did you mean '--quiet'?");
   expectRejected(with({"--seed"}), "--seed needs a value");

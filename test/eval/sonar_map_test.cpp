@@ -86,16 +86,22 @@ TEST_F(SonarMapProgram, WritesMapsThatLoad) {
     const OccupancyGrid map = loadMap(file("out/" + model + "/map.yaml"));
     EXPECT_TRUE(map.lattice() == trueMapOf(kWorld, 0.1).lattice());
     EXPECT_GT(map.countFree(), 100U) << model;
-    EXPECT_FALSE(cv::imread(file("out/" + model + "/map.png")).empty());
+    const cv::Mat grey = cv::imread(file("out/" + model + "/probability.pgm"));
+    EXPECT_EQ(grey.size(), cv::Size(map.lattice().width(), map.lattice().height()));
   }
-  EXPECT_GT(cv::imread(file("out/maps.png")).rows, cv::imread(file("out/elfes/map.png")).rows);
+  const ProgramResult drawn = runProgram(SOURCE_DIR "/scripts/draw", {file("out/maps.json")});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_GT(cv::imread(file("out/maps.png")).rows, 500);
 }
 
 TEST_F(SonarMapProgram, DrawsWhatOneReadingTells) {
   const ProgramResult result =
-      runProgram(SONAR_MAP, {"--profile", file("profile.png"), "sonar_max_range:=4"});
+      runProgram(SONAR_MAP, {"--profile", file("profile.json"), "sonar_max_range:=4"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(cv::imread(file("profile.png")).rows, 900);
+  const ProgramResult drawn =
+      runProgram(SOURCE_DIR "/scripts/draw", {file("profile.json"), file("p.png")});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_GT(cv::imread(file("p.png")).rows, 700);
 }
 
 TEST_F(SonarMapProgram, NamesWhatIsWrong) {
