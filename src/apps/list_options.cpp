@@ -20,16 +20,20 @@
 #include "../ros/reconfigure_fields.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "core/audience.hpp"
+#include "eval/arguments.hpp"
+#include "eval/program.hpp"
 #include "match/scan_matcher.hpp"
 #include "ser/places.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-constexpr auto kUsage = R"(usage: list_options                               tables in Markdown
+std::string usage() {
+  return R"(usage: list_options                               tables in Markdown
        list_options --yaml CORE [--preset seed]   parameter file with the values of that core
        list_options --cfg                         fields of dynamic_reconfigure
 )";
+}
 
 std::string rangeText(const Range& range) {
   std::ostringstream text;
@@ -199,24 +203,33 @@ void printCfg() {
                "\"AdaptiveLocalization\"))\n";
 }
 
-void listOptions(const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return printTables();
-  if (arguments.size() == 1 && arguments[0] == "--cfg") return printCfg();
-  const bool has_preset = arguments.size() == 4 && arguments[2] == "--preset";
-  if (arguments[0] != "--yaml" || (arguments.size() != 2 && !has_preset)) {
-    throw std::invalid_argument(kUsage);
-  }
-  printYaml(arguments[1], has_preset ? arguments[3] : "recommended");
+struct ListCommand {
+  bool is_cfg{false};
+  std::string core;  // empty: all options
+  std::string preset{"recommended"};
+  bool wants_help{false};
+};
+
+ListCommand parse(const std::vector<std::string>& arguments) {
+  ListCommand command;
+  ArgumentParser parser;
+  parser.flag("--cfg", command.is_cfg);
+  parser.text("--yaml", command.core);
+  parser.text("--preset", command.preset);
+  command.wants_help = !parser.parse(arguments);
+  return command;
+}
+
+void list(const ListCommand& command) {
+  if (command.is_cfg) return printCfg();
+  if (command.core.empty()) return printTables();
+  printYaml(command.core, command.preset);
 }
 
 }  // namespace
 }  // namespace adaptive_localization
 
 int main(int argc, char** argv) {
-  try {
-    adaptive_localization::listOptions({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    std::cerr << "list_options: " << error.what() << '\n';
-    return 1;
-  }
+  namespace al = adaptive_localization;
+  return al::runProgram("list_options", al::usage(), al::parse, al::list, {argv + 1, argv + argc});
 }

@@ -49,14 +49,14 @@ void EkfIcp::reset(const Prior& prior) {
   } else {
     anywhere_ = true;
     parts_.elsewhere->condition(Observations{});  // forgets what was seen before
-    cloud_ = Particles(10 * options_.ekf_cloud);
+    cloud_ = Particles(10 * options_.cloud_particles);
     for (Eigen::Index i = 0; i < cloud_.size(); ++i) {
       cloud_.setPose(i, parts_.elsewhere->draw(rng_));
     }
     tracker_.reset(heaviestOf(cloud_));
     return;
   }
-  cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
+  cloud_ = drawCloud(tracker_.belief(), options_.cloud_particles, rng_);
 }
 
 Estimate EkfIcp::estimate() const {
@@ -78,7 +78,7 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   correct();
   way_ += std::max(distance({}, motion), std::abs(motion.theta));
   if (match_->fault == MatchFault::kSlides) weighCloud(observations);
-  if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
+  if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.cloud_particles, rng_);
   return estimate();
 }
 
@@ -102,7 +102,7 @@ void EkfIcp::correctBySonars(const Observations& observations) {
 /// Where the first scan fits best: poses are drawn there, and the heaviest cluster is believed.
 void EkfIcp::startAt(const Observations& observations) {
   if (!parts_.elsewhere->condition(observations)) return;
-  Particles cloud(options_.ekf_cloud);
+  Particles cloud(options_.cloud_particles);
   for (Eigen::Index i = 0; i < cloud.size(); ++i) cloud.setPose(i, parts_.elsewhere->draw(rng_));
   tracker_.reset(newPlace(heaviestOf(cloud).mean));
   anywhere_ = false;
@@ -121,7 +121,7 @@ void EkfIcp::weighCloud(const Observations& observations) {
   constexpr double kNewWay = 0.1;          // m or rad
   constexpr double kLeastEffective = 0.1;  // share of the cloud
   if (way_ < kNewWay) return;
-  Particles cloud = drawCloud(tracker_.belief(), options_.ekf_cloud, rng_);
+  Particles cloud = drawCloud(tracker_.belief(), options_.cloud_particles, rng_);
   Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(cloud.size());
   if (parts_.scans->score(observations, cloud, log_likelihood) <= 0.0) return;
   const Eigen::ArrayXd equal = normalisedWeights(cloud.log_weight);
@@ -132,9 +132,7 @@ void EkfIcp::weighCloud(const Observations& observations) {
 
 /// By the match; says what is wrong with it if it does not correct.
 void EkfIcp::correct() {
-  const auto is_near = [this](const Match& match) {
-    return tracker_.distanceOf(match) < options_.ekf_gate;
-  };
+  const auto is_near = [this](const Match& match) { return tracker_.distanceOf(match) < gate_; };
   if (tracker_.correct(*match_, is_near)) {
     gainsaid_ = 0;
   } else if (match_->fault == MatchFault::kJump && ++gainsaid_ >= options_.ekf_rejected_scans) {

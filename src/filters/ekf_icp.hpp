@@ -10,6 +10,7 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
+#include "core/chi_square.hpp"
 #include "match/scan_matcher.hpp"
 #include "match/scan_tracker.hpp"
 #include "match/sonar_line_matcher.hpp"
@@ -19,9 +20,9 @@ namespace adaptive_localization {
 
 struct EkfOptions {
   std::string ekf_landmarks{"hits"};
-  double ekf_gate{11.34};
+  double ekf_gate_probability{0.99};
   int ekf_rejected_scans{3};
-  int ekf_cloud{200};
+  int cloud_particles{200};
   bool ekf_weigh_cloud{true};
 
   template <class Visitor>
@@ -29,13 +30,15 @@ struct EkfOptions {
     option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
            "What corrects the pose: hits matched with the map, or straight lines in the scan, and "
            "those that sonars hear on the way, with those of line_map.");
-    option("ekf_gate", ekf_gate, Range{1e-6, 1e12}, "",
-           "Squared Mahalanobis distance from odometry above which a matched scan is not believed; "
-           "11.34 holds for 99 of 100 right ones.");
+    option("ekf_gate_probability", ekf_gate_probability, kProbability, "",
+           "Share of the right matches that are near enough to odometry, by their Mahalanobis "
+           "distance, to be believed; 1: all are.");
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
            "Scans in a row that only odometry gainsays before they are believed and it is not.");
-    option("ekf_cloud", ekf_cloud, Range{1, 100000}, "",
-           "Particles drawn from the belief: to be seen, and to correct it where matches cannot.");
+    option("cloud_particles", cloud_particles, Range{1, 100000}, "",
+           "Particles drawn from the belief (ekf_icp, markov): to be seen, and to stand for it "
+           "where it "
+           "has no simpler form.");
     option("ekf_weigh_cloud", ekf_weigh_cloud,
            "Where walls are so thick on the map that hits slide in them, weigh the cloud by the "
            "scan and go on from its mean and covariance, if the match is not refused.");
@@ -67,7 +70,11 @@ struct EkfParts {
 class EkfIcp : public Filter {
  public:
   EkfIcp(const EkfOptions& options, EkfParts parts, std::uint64_t seed)
-      : options_(options), parts_(std::move(parts)), tracker_(parts_.match), rng_(seed) {}
+      : options_(options),
+        gate_(chiSquare(3, options.ekf_gate_probability)),
+        parts_(std::move(parts)),
+        tracker_(parts_.match),
+        rng_(seed) {}
 
   void reset(const Prior& prior) override;
   Estimate update(const Pose2& motion, const Observations& observations) override;
@@ -84,6 +91,7 @@ class EkfIcp : public Filter {
   void startAt(const Observations& observations);
 
   EkfOptions options_;
+  double gate_;  // squared Mahalanobis distance from odometry
   EkfParts parts_;
   ScanTracker tracker_;
   Rng rng_;

@@ -74,7 +74,7 @@ void MarkovFilter::conclude() {
   const auto cells = belief_.cellsAbove(kWorthTelling);
   const Particles poses = belief_.poses(cells);
   const Eigen::ArrayXd weights = normalisedWeights(poses.log_weight);
-  cloud_ = select(poses, systematicIndices(weights, options_.markov_cloud, rng_));
+  cloud_ = select(poses, systematicIndices(weights, options_.cloud_particles, rng_));
   cloud_.log_weight.setConstant(-std::log(static_cast<double>(cloud_.size())));
   const bool are_few = cells.size() <= kMostSummarized;
   estimate_ =

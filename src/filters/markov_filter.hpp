@@ -16,7 +16,7 @@ struct MarkovOptions {
   double markov_cell{0.1};
   int markov_headings{90};
   double markov_anywhere{0.0};
-  int markov_cloud{500};
+  int cloud_particles{500};
   double markov_max_memory{1000.0};
 
   template <class Visitor>
@@ -29,8 +29,10 @@ struct MarkovOptions {
         "markov_anywhere", markov_anywhere, Range{0, 1}, "",
         "Share of the belief that may be anywhere else at each update: a robot that was carried "
         "away is found, and every cell is weighed by each scan. 0: only those that may hold it.");
-    option("markov_cloud", markov_cloud, Range{1, 100000}, "",
-           "Particles drawn from the belief: to be seen, and to be taken over by other filters.");
+    option("cloud_particles", cloud_particles, Range{1, 100000}, "",
+           "Particles drawn from the belief (ekf_icp, markov): to be seen, and to stand for it "
+           "where it "
+           "has no simpler form.");
     option("markov_max_memory", markov_max_memory, Range{1, 1e6}, "MB",
            "Maps on which the belief would take more are refused.");
   }

@@ -43,7 +43,7 @@ Preset sourceOfEkfIcp() {
           {"match_reach_end", 1.0},
           {"match_max_iterations", 30},
           {"match_least_inliers", 0.0},
-          {"ekf_gate", 1e9},
+          {"ekf_gate_probability", 1.0},
           {"ekf_rejected_scans", 1000},
           {"ekf_weigh_cloud", false},
           {"match_map_std", 0.0},

@@ -68,7 +68,7 @@ double SwarmFixer::costOf(const Pose2& T_map_base, const Observations& observati
 }
 
 double SwarmFixer::worst() const {
-  return objective_.swarm_error == "relative" ? 1.0 : objective_.swarm_truncation;
+  return worstOf(objective_);
 }
 
 /// The table is there once somebody needs it and, where it is made in the background, it is done.

@@ -4,13 +4,15 @@
 #include <Eigen/Dense>
 #include <utility>
 
+#include "core/chi_square.hpp"
+
 namespace adaptive_localization {
 namespace {
 
 constexpr double kNarrow = 0.2;      // m, a cloud's standard deviation: any good match is its place
 constexpr double kWide = 0.6;        // m: up to here only one that explains the scan,
 constexpr double kMostOfScan = 0.7;  // so much of it
-constexpr double kGate = 11.34;      // 99 % of a chi-square variable with 3 degrees of freedom
+const double kGate = chiSquare(3, 0.99);
 
 bool isWithin(double deviation, const Estimate& estimate) {
   return estimate.covariance.topLeftCorner<2, 2>().trace() < deviation * deviation;

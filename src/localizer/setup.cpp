@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "localizer/former_options.hpp"
 #include "match/scan_matcher.hpp"
 #include "ser/places.hpp"
 
@@ -55,6 +56,7 @@ bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a
 }  // namespace
 
 Setup SetupReader::read(Parameters parameters) {
+  refuseFormerOptions(parameters);
   const auto given = parameters.read<LocalizerOptions>();
   loadPlugins(given.plugins);
   const FilterDescription& filter = registries_.filters.find(given.filter);

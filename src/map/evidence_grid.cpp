@@ -9,8 +9,9 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kShareOfRange = 0.01;  // standard deviation
-constexpr double kReach = 3.0;          // deviations behind an arc
+constexpr double kOccupied = 0.65, kFree = 0.35;  // probabilities above and below
+constexpr double kShareOfRange = 0.01;            // standard deviation
+constexpr double kReach = 3.0;                    // deviations behind an arc
 
 /// Sources refuse what makes no sense; whoever builds a map may not.
 bool isUsable(const Pose2& T_map_sonar, const SonarReading& reading) {
@@ -89,8 +90,8 @@ OccupancyGrid EvidenceGrid::toOccupancyGrid() const {
   std::vector<std::int8_t> cells(lattice_.size(), OccupancyGrid::kUnknown);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double probability = probabilityAt(i);
-    if (probability > options_.evidence_occupied) cells[i] = OccupancyGrid::kOccupied;
-    if (probability < options_.evidence_free) cells[i] = OccupancyGrid::kFree;
+    if (probability > kOccupied) cells[i] = OccupancyGrid::kOccupied;
+    if (probability < kFree) cells[i] = OccupancyGrid::kFree;
   }
   return OccupancyGrid(lattice_, std::move(cells));
 }

@@ -18,8 +18,6 @@ struct EvidenceOptions {
   double evidence_no_echo{0.02};
   double evidence_mirrored{0.1};
   double evidence_others{1.5};
-  double evidence_occupied{0.65};
-  double evidence_free{0.35};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -35,10 +33,6 @@ struct EvidenceOptions {
            "Probability that a reading was mirrored and is too long (konolige).");
     option("evidence_others", evidence_others, Range{0.01, 100}, "1/m",
            "Density of what else may echo, along a cone (konolige).");
-    option("evidence_occupied", evidence_occupied, Range{0.5, 1}, "",
-           "Cells of a greater probability are occupied.");
-    option("evidence_free", evidence_free, Range{0, 0.5}, "",
-           "Cells of a smaller probability are free.");
   }
 };
 
@@ -63,7 +57,7 @@ class EvidenceGrid {
     return lattice_.contains(cell) ? probabilityAt(lattice_.index(cell)) : 0.5;
   }
 
-  /// Occupied, free and unknown cells by the thresholds evidence_occupied and evidence_free.
+  /// Occupied cells (probability above 0.65), free ones (below 0.35) and unknown ones.
   OccupancyGrid toOccupancyGrid() const;
 
  protected:

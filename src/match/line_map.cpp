@@ -9,10 +9,19 @@
 #include <stdexcept>
 
 #include "cells_along.hpp"
+#include "core/chi_square.hpp"
 #include "map/floor_plan.hpp"
 
 namespace adaptive_localization {
 namespace {
+
+constexpr double kLead = 4.0;  // by which the next best line must be farther, in the gate's measure
+
+/// Squared Mahalanobis distance within which 99 % of the right lines are, by rho and alpha.
+double gate() {
+  static const double most = chiSquare(2, 0.99);
+  return most;
+}
 
 /// The share of a scan's line that lies along the map's, which is longer by the slack at both ends.
 double overlap(const Segment& mapped, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
@@ -46,7 +55,7 @@ class Search {
       const MapLine& landmark = map_.lines()[i];
       LineMatch match = compare(line, landmark);
       const double apart = distanceOf(match);
-      if (!(apart <= options_.line_gate + options_.line_lead)) continue;
+      if (!(apart <= gate() + kLead)) continue;
       if (overlap(landmark.segment, a, b, slackAlong(landmark)) < options_.line_overlap) continue;
       match.map_line = static_cast<int>(i);
       found.push_back({match, apart});
@@ -160,11 +169,10 @@ std::vector<LineMatch> matchLines(const Pose2& T_map_base, const Eigen::Matrix3d
     const auto best =
         std::min_element(candidates.begin(), candidates.end(),
                          [](const Candidate& a, const Candidate& b) { return a.apart < b.apart; });
-    if (best == candidates.end() || best->apart > options.line_gate) continue;
+    if (best == candidates.end() || best->apart > gate()) continue;
     const bool has_rival =
         std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
-          return other.apart < best->apart + options.line_lead &&
-                 !saySame(other.match, best->match);
+          return other.apart < best->apart + kLead && !saySame(other.match, best->match);
         });
     if (has_rival) continue;
     matches.push_back(best->match);

@@ -9,6 +9,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kRounds = 2;
+constexpr double kLeastInliers = 0.2;         // of a scan's hits on matched lines
 constexpr int kLeastHits = 10;                // of a scan that is matched
 constexpr double kReach = 0.3, kTurn = 0.15;  // m and rad, without a prior
 constexpr double kVaguest = 0.5;              // m, of a direction of which lines tell something
@@ -105,7 +106,7 @@ Match LineMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matr
     match.iterations = round + 1;
   }
   countHits(scan, lines, matches, match);
-  if (match.inlier_ratio < options_.line_least_inliers) {
+  if (match.inlier_ratio < kLeastInliers) {
     match.fault = MatchFault::kOutliers;
   } else if (match.H.rows() == 0) {
     match.fault = MatchFault::kSingular;

@@ -8,15 +8,11 @@ namespace adaptive_localization {
 struct LineOptions {
   int line_least_points{8};
   double line_least_length{0.4};
-  double line_split{4.0};
   double line_range_std{0.03};
   double line_sonar_std{0.02};
   double line_map_std{0.01};
   double line_map_turn_std{0.002};
-  double line_gate{9.21};
-  double line_lead{4.0};
   double line_overlap{0.7};
-  double line_least_inliers{0.2};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -24,8 +20,6 @@ struct LineOptions {
            "Hits that make a line, at the least.");
     option("line_least_length", line_least_length, kPositive, "m",
            "Length of a line at the least.");
-    option("line_split", line_split, kPositive, "",
-           "Hits farther from a line than so many times their noise are not of it.");
     option("line_range_std", line_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges, as lines take it.");
     option("line_sonar_std", line_sonar_std, kPositiveDeviation, "m",
@@ -35,16 +29,8 @@ struct LineOptions {
            "wall and of the laser's ranges.");
     option("line_map_turn_std", line_map_turn_std, kDeviation, "rad",
            "The same of a line's direction.");
-    option("line_gate", line_gate, kPositive, "",
-           "Squared Mahalanobis distance up to which a line of the scan can be one of the map; "
-           "9.21: 99 % of the right ones.");
-    option("line_lead", line_lead, kNotNegative, "",
-           "By how much the next best line of the map must be farther, in the same measure; with "
-           "less the line is not used.");
     option("line_overlap", line_overlap, kProbability, "",
            "Share of a line's length that must lie along the map's line.");
-    option("line_least_inliers", line_least_inliers, kProbability, "",
-           "A scan of which a smaller share is on matched lines is not matched.");
   }
 };
 

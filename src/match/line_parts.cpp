@@ -6,6 +6,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kMostNoise = 4.0;  // hits farther off, by their deviation, are of another line
+
 using Point = Eigen::Vector2d;
 
 std::size_t farthestFromChord(const LineHits& hits, const LinePart& part) {
@@ -100,11 +102,11 @@ bool isLine(const LineHits& hits, const LinePart& part, const LineOptions& optio
   double sum = 0.0;
   for (std::size_t i = part.first; i < part.last; ++i) {
     const double share = line.square(hits[i]) / (variance * line.noise(hits[i]));
-    if (!(share <= options.line_split * options.line_split)) return false;
+    if (!(share <= kMostNoise * kMostNoise)) return false;
     sum += share;
   }
   const auto count = static_cast<double>(part.size());
-  return sum <= count + options.line_split * std::sqrt(2.0 * count);  // chi-square
+  return sum <= count + kMostNoise * std::sqrt(2.0 * count);  // chi-square
 }
 
 std::vector<LinePart> partLines(const LineHits& hits, const LinePart& run,

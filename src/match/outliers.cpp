@@ -49,13 +49,11 @@ void weighByKernel(MatchPairs& pairs, double scale) {
   }
 }
 
-void keepBest(MatchPairs& pairs, int hits, double share, double noise) {
+void keepBest(MatchPairs& pairs, int hits, double noise) {
   std::vector<double> distances;
   for (const MatchPair& pair : pairs) distances.push_back(std::abs(pair.residual));
   std::sort(distances.begin(), distances.end());
-  std::size_t count = share > 0.0 ? static_cast<std::size_t>(std::ceil(share * hits))
-                                  : bestCount(distances, hits, noise);
-  count = std::min(count, distances.size());
+  const std::size_t count = bestCount(distances, hits, noise);
   const double limit = count > 0 ? distances[count - 1] : 0.0;
   for (MatchPair& pair : pairs) pair.weight = std::abs(pair.residual) <= limit ? 1.0 : 0.0;
 }

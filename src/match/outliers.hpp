@@ -26,10 +26,10 @@ using MatchPairs = std::vector<MatchPair>;
 /// Geman-McClure: w = (c^2 / (c^2 + r^2))^2.
 void weighByKernel(MatchPairs& pairs, double scale);
 
-/// Weight 1 for the best share of `hits`, 0 for the others. A share of 0 stands for the one with
-/// the least fractional root mean square distance, rms(f) / f^1.3 (Phillips, Liu and Tomasi 2007),
-/// the noise included in the mean.
-void keepBest(MatchPairs& pairs, int hits, double share, double noise);
+/// Weight 1 for the best share f of `hits`, 0 for the others: the one with the least fractional
+/// root mean square distance, rms(f) / f^1.3 (Phillips, Liu and Tomasi 2007), the noise (m)
+/// included in the mean.
+void keepBest(MatchPairs& pairs, int hits, double noise);
 
 /// Weight 1 for the pairs that agree, within the tolerance, with the motion that most agree with,
 /// of some that are drawn from three pairs each; 0 for the others (RANSAC, Fischler and Bolles

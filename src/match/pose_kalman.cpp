@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/chi_square.hpp"
 #include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
@@ -79,8 +80,8 @@ bool PoseKalman::correct(const PoseObservation& observation) {
 }
 
 bool isOutlier(const PoseObservation& observation, const PoseKalman& belief) {
-  constexpr double kMost[] = {0.0, 10.83, 13.82, 16.27};
-  return !(belief.distanceOf(observation) < kMost[observation.innovation.size()]);
+  static const double most[] = {0.0, chiSquare(1, 0.999), chiSquare(2, 0.999), chiSquare(3, 0.999)};
+  return !(belief.distanceOf(observation) < most[observation.innovation.size()]);
 }
 
 void correctBy(const ObservationModel& senses, const Observations& observations,

@@ -167,7 +167,7 @@ void ScanMatcher::weigh(MatchPairs& pairs, int hits, double reach) const {
   const bool is_constant = options_.match_reach == options_.match_reach_end;
   const double scale = std::max(options_.match_kernel, is_annealing ? reach / kKernels : 0.0);
   if (options_.match_outliers == "trim") {
-    keepBest(pairs, hits, options_.match_keep, scale);
+    keepBest(pairs, hits, scale);
   } else if (options_.match_outliers == "ransac" && (is_annealing || is_constant)) {
     keepConsensus(pairs, scale);
   } else if (options_.match_outliers != "none") {

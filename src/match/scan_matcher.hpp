@@ -26,7 +26,6 @@ struct MatchOptions {
   double match_reach{0.5};
   double match_reach_end{0.15};
   double match_kernel{0.1};
-  double match_keep{0.0};
   double match_range_std{0.01};
   double match_surface_std{0.03};
   double match_information{0.1};
@@ -52,8 +51,6 @@ struct MatchOptions {
            "The same in the last iterations; it shrinks by three tenths each time.");
     option("match_kernel", match_kernel, kPositive, "m",
            "Distance at which a hit counts a quarter, in the last iterations (kernel, ransac).");
-    option("match_keep", match_keep, kProbability, "",
-           "Share of the hits that is kept (trim); 0: found for each scan.");
     option("match_range_std", match_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges.");
     option("match_surface_std", match_surface_std, kPositiveDeviation, "m",

@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace adaptive_localization {
+namespace {
+
+// Of poses drawn around a place, and how much worse (mean range error, m) one is drawn e times
+// less.
+constexpr double kDeviationXy = 0.1, kDeviationTheta = kPi / 60.0, kErrorScale = 0.02;
+
+}  // namespace
 
 PlaceSampler::PlaceSampler(const PlaceSamplerOptions& options, std::shared_ptr<Places> places,
                            std::shared_ptr<const OccupancyGrid> map)
@@ -19,7 +26,7 @@ bool PlaceSampler::condition(const Observations& observations) {
   }
   double sum = 0.0;
   for (const Place& place : found_) {
-    sum += std::exp(-(place.error - found_.front().error) / options_.place_error_scale);
+    sum += std::exp(-(place.error - found_.front().error) / kErrorScale);
     cumulative_.push_back(sum);
   }
   return has_ser || !found_.empty();
@@ -33,9 +40,9 @@ Pose2 PlaceSampler::draw(Rng& rng) const {
   const auto k =
       std::min<std::size_t>(static_cast<std::size_t>(at - cumulative_.begin()), found_.size() - 1);
   const Pose2& place = found_[k].T_map_base;
-  const double x = rng.normal(place.x, options_.place_deviation_xy);
-  const double y = rng.normal(place.y, options_.place_deviation_xy);
-  return {x, y, wrapAngle(rng.normal(place.theta, options_.place_deviation_theta))};
+  const double x = rng.normal(place.x, kDeviationXy);
+  const double y = rng.normal(place.y, kDeviationXy);
+  return {x, y, wrapAngle(rng.normal(place.theta, kDeviationTheta))};
 }
 
 }  // namespace adaptive_localization

@@ -10,20 +10,10 @@
 namespace adaptive_localization {
 
 struct PlaceSamplerOptions {
-  double place_deviation_xy{0.1};
-  double place_deviation_theta{kPi / 60.0};
-  double place_error_scale{0.02};
   double place_ser_share{0.2};
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("place_deviation_xy", place_deviation_xy, kDeviation, "m",
-           "Standard deviation in x and y of poses drawn around a place.");
-    option("place_deviation_theta", place_deviation_theta, kDeviation, "rad",
-           "Standard deviation in heading of poses drawn around a place.");
-    option("place_error_scale", place_error_scale, kPositive, "m",
-           "A place whose mean range error is this much above the best one's is drawn e times less "
-           "often.");
     option("place_ser_share", place_ser_share, kProbability, "",
            "Share of poses drawn from the SER instead, in case that no place is the right one.");
   }

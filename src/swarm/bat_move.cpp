@@ -7,6 +7,10 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kLeapSize = 0.1;       // standard deviation of a leap, as a share of the space
+constexpr double kLoudnessDecay = 0.9;  // factor on the loudness each time a better place is taken
+constexpr double kPulseGrowth = 0.9;    // of the pulse rate, per iteration
+
 /// What an iteration's bats look up to: places, and which of them each bat follows.
 struct Colonies {
   Eigen::ArrayXXd centre;            // one place in each row
@@ -99,7 +103,7 @@ class Flight {
     const auto axis =
         static_cast<Eigen::Index>(rng.below(static_cast<std::size_t>(space_.dimensions())));
     for (Eigen::Index k = 0; k < space_.dimensions(); ++k) tried(i, k) = centre(leader, k);
-    const double size = options_.bat_leap_size * space_.width(axis);
+    const double size = kLeapSize * space_.width(axis);
     tried(i, axis) = space_.inside(axis, tried(i, axis) + size * rng.normal());
   }
 
@@ -127,15 +131,14 @@ void BatMove::step(Swarm& swarm, const Objective& objective, Rng& rng) const {
   for (Eigen::Index i = 0; i < swarm.size(); ++i) flight.tryFrom(i, tried, rng);
   Eigen::ArrayXd costs(swarm.size());
   objective.evaluate(tried, costs);
-  const double rate =
-      options_.bat_pulse_rate * (1.0 - std::exp(-options_.bat_pulse_growth * swarm.iteration));
+  const double rate = options_.bat_pulse_rate * (1.0 - std::exp(-kPulseGrowth * swarm.iteration));
   for (Eigen::Index i = 0; i < swarm.size(); ++i) {
     const bool is_loud = options_.bat_greedy || rng.uniform() < swarm.loudness[i];
     if (!(costs[i] <= swarm.cost[i]) || !is_loud) continue;
     swarm.position.row(i) = tried.row(i);
     swarm.cost[i] = costs[i];
     swarm.rate[i] = rate;
-    swarm.loudness[i] *= options_.bat_loudness_decay;
+    swarm.loudness[i] *= kLoudnessDecay;
   }
   swarm.note(tried, costs);
   ++swarm.iteration;

@@ -30,10 +30,15 @@ double wrapSteps(double steps) {
 
 }  // namespace
 
+double worstOf(const RangeObjectiveOptions& options) {
+  constexpr double kTruncation = 0.25;  // m
+  return options.swarm_error == "relative" ? 1.0 : kTruncation;
+}
+
 RangeObjective::RangeObjective(const RangeObjectiveOptions& options, const Scan& scan,
                                double max_range)
     : is_relative_(options.swarm_error == "relative"),
-      worst_(is_relative_ ? 1.0 : options.swarm_truncation),
+      worst_(worstOf(options)),
       max_range_(std::min(max_range, scan.max_range)),
       position_(scan.position) {
   std::vector<Beam> all;

@@ -19,7 +19,6 @@ namespace adaptive_localization {
 struct RangeObjectiveOptions {
   int swarm_beams{60};
   std::string swarm_error{"truncated"};
-  double swarm_truncation{0.25};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -28,14 +27,15 @@ struct RangeObjectiveOptions {
     option("swarm_error", swarm_error, Choices{"truncated", "relative"},
            "What the swarm makes small: the mean range error per beam, m, or the mean of each "
            "beam's error as a share of its range.");
-    option("swarm_truncation", swarm_truncation, kPositive, "m",
-           "A range that is wrong by more than this counts as wrong by this (truncated).");
   }
 };
 
+/// The largest cost of a pose.
+double worstOf(const RangeObjectiveOptions& options);
+
 /// How badly a scan fits poses (x, y, theta) of base in map, beams j of B:
 ///
-///     truncated   F = (1 / B) sum_j min(|z_j* - z_j|, c)
+///     truncated   F = (1 / B) sum_j min(|z_j* - z_j|, 0.25 m)
 ///     relative    F = (1 / B) sum_j min(1, |z_j* - z_j| / max(z_j, 0.1 m))
 ///
 /// The latter is the mean relative deviation of the leader-based bat algorithm's source. A

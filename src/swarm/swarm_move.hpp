@@ -35,11 +35,8 @@ struct BatOptions {
   bool bat_walk_adapts{true};
   double bat_walk_size{0.1};
   double bat_leap_share{0.3};
-  double bat_leap_size{0.1};
   bool bat_greedy{true};
-  double bat_loudness_decay{0.9};
   double bat_pulse_rate{0.5};
-  double bat_pulse_growth{0.9};
 
   template <class Visitor>
   void visit(Visitor&& option) {
@@ -59,15 +56,9 @@ struct BatOptions {
            "Standard deviation of a local walk in each coordinate.");
     option("bat_leap_share", bat_leap_share, kProbability, "",
            "Share of local walks that leap along one axis only, out of local minima.");
-    option("bat_leap_size", bat_leap_size, Range{0, 1e3}, "",
-           "Standard deviation of a leap, as a share of the space.");
     option("bat_greedy", bat_greedy, "A bat takes every better place, however loud it is.");
-    option("bat_loudness_decay", bat_loudness_decay, Range{0, 1}, "",
-           "Factor on a bat's loudness each time that it takes a better place.");
     option("bat_pulse_rate", bat_pulse_rate, kProbability, "",
            "Pulse rate that bats get to (bat_walk_share below 0).");
-    option("bat_pulse_growth", bat_pulse_growth, kNotNegative, "",
-           "How fast they get there, per iteration (bat_walk_share below 0).");
   }
 };
 

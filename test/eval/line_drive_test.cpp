@@ -150,7 +150,7 @@ TEST_F(LineDriveProgram, PrintsATableAndDraws) {
   const TempFolder folder;
   const ProgramResult result =
       runProgram(LINE_DRIVE, {world_, "--seconds", "5", "--robot", "people=2", "seed=3", "--set",
-                              "line_gate=11.34", "--json", folder.file("drive.json")});
+                              "line_overlap=0.6", "--json", folder.file("drive.json")});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 13);
   const ProgramResult drawn = runProgram(SOURCE_DIR "/scripts/draw", {folder.file("drive.json")});
@@ -163,8 +163,8 @@ TEST_F(LineDriveProgram, NamesWhatItCannotTake) {
   expectRejected({"nosuch.yaml"}, "nosuch.yaml");
   expectRejected({world_, "other"}, "'other' is one too many");
   expectRejected({world_, "--seconds", "0"}, "--seconds");
-  expectRejected({world_, "--set", "line_gate"}, "expected KEY=VALUE");
-  expectRejected({world_, "--set", "line_gat=1"}, "did you mean 'line_gate'");
+  expectRejected({world_, "--set", "line_overlap"}, "expected KEY=VALUE");
+  expectRejected({world_, "--set", "line_overlp=1"}, "did you mean 'line_overlap'");
   expectRejected({world_, "--robot", "peple=1"}, "did you mean 'people'");
   expectRejected({world_, "--robot", "lasers=0"}, "'lasers'");
   expectRejected({world_, "--seconds", "1", "--json", "/nosuch/x.json"}, "/nosuch/x.json");

@@ -51,7 +51,7 @@ TEST(MarkovFilter, FindsARobotThatWasCarriedAwayIfItMayBeAnywhere) {
 }
 
 TEST(MarkovFilter, ShowsAsManyParticlesAsItIsTold) {
-  const auto filter = makeMarkov({{"markov_cloud", 77}});
+  const auto filter = makeMarkov({{"cloud_particles", 77}});
   filter->reset(Anywhere{});
   EXPECT_EQ(filter->hypotheses().size(), 77);
 }

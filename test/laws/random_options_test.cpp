@@ -25,7 +25,7 @@ constexpr int kMostVisits = 100000;
 const std::map<std::string, double> kSizes{{"min_particles", 50},
                                            {"max_particles", kMostParticles},
                                            {"swarm_size", kMostParticles},
-                                           {"ekf_cloud", kMostParticles},
+                                           {"cloud_particles", kMostParticles},
                                            {"laser_max_beams", kMostBeams},
                                            {"swarm_beams", kMostBeams},
                                            {"swarm_budget", 0.3},
@@ -34,7 +34,6 @@ const std::map<std::string, double> kSizes{{"min_particles", 50},
                                            {"search_max_places", 20},
                                            {"search_max_visits", kMostVisits},
                                            {"markov_headings", 72},
-                                           {"markov_cloud", kMostParticles},
                                            {"threads", 1}};
 const std::map<std::string, double> kLeast{{"markov_cell", 0.2}, {"markov_max_memory", 1000.0}};
 
