@@ -12,7 +12,8 @@ struct ScanTiming {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("scan_time_offset", scan_time_offset, Range{-10, 10}, "s",
-           "Added to the stamps of scans, for drivers that stamp late (then negative) or early.");
+           "Added to the stamps of scans: negative for drivers that stamp late, positive for those "
+           "that stamp early.");
   }
 };
 

@@ -21,12 +21,12 @@ struct SonarTopics {
            "Topics with readings of sonars, separated by spaces or commas: sensor_msgs/Range, "
            "ROSARIA's sensor_msgs/PointCloud or p2os_msgs/SonarArray; empty: none.");
     option("sonar_frame_prefix", sonar_frame_prefix, Choices{},
-           "Of a message of all sonars, where reading i is of the frame with this name and i; x is "
-           "the axis of its cone.");
+           "Frame of reading i in a message of all sonars: this prefix followed by i; x is the "
+           "axis of the cone.");
     option("sonar_view", sonar_view, Range{0.01, kPi}, "rad",
-           "Angle of a cone, where the message does not say.");
+           "Opening angle of a sonar's cone, where the message does not say.");
     option("sonar_max_range", sonar_max_range, Range{0.1, 100}, "m",
-           "Farther no echo is heard, where the message does not say.");
+           "Largest range of a sonar, where the message does not say.");
   }
 };
 

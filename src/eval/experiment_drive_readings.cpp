@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a laser reads that is carried or covered, or before which something stands, what a compass
+// What a laser reads that is carried or occluded, or before which something stands, what a compass
 // does, and what sonars hear.
 #include <algorithm>
 #include <cmath>

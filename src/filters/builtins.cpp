@@ -73,13 +73,13 @@ void addObservations(Registry<ObservationDescription>& observations) {
       "likelihood_field_cubed",
       "As likelihood_field, by one and the sum of cubes (amcl's older rule).", Form::kCubed));
   observations.add(
-      rangeModel("beam", "Ranges against those expected by ray casting, tempered; dear.",
+      rangeModel("beam", "Ranges against those expected by ray casting, tempered; slow.",
                  [](const ObservationOptions& options, const MapPtr& map, const FieldPtr& field) {
                    return std::make_unique<BeamModel>(options, map, field);
                  }));
   observations.add(rangeModel(
       "inverse_l1",
-      "One by the sum of range errors, by ray casting (SAMCL's and SA-KLD's source); dear.",
+      "One by the sum of range errors, by ray casting (SAMCL's and SA-KLD's source); slow.",
       [](const ObservationOptions&, const MapPtr& map, const FieldPtr& field) {
         return std::make_unique<InverseL1>(map, field);
       }));

@@ -36,7 +36,7 @@ Gaussian2 heaviestOf(const Particles& cloud) {
 }  // namespace
 
 void EkfIcp::reset(const Prior& prior) {
-  gainsaid_ = 0;
+  refused_ = 0;
   way_ = 0.0;
   match_.reset();
   if (parts_.sonars) parts_.sonars->forget();
@@ -134,10 +134,10 @@ void EkfIcp::weighCloud(const Observations& observations) {
 void EkfIcp::correct() {
   const auto is_near = [this](const Match& match) { return tracker_.distanceOf(match) < gate_; };
   if (tracker_.correct(*match_, is_near)) {
-    gainsaid_ = 0;
-  } else if (match_->fault == MatchFault::kJump && ++gainsaid_ >= options_.ekf_rejected_scans) {
+    refused_ = 0;
+  } else if (match_->fault == MatchFault::kJump && ++refused_ >= options_.ekf_rejected_scans) {
     tracker_.reset(newPlace(match_->T_map_base));
-    gainsaid_ = 0;
+    refused_ = 0;
   }
 }
 

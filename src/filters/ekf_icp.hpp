@@ -28,20 +28,19 @@ struct EkfOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
-           "What corrects the pose: hits matched with the map, or straight lines in the scan, and "
-           "those that sonars hear on the way, with those of line_map.");
+           "What corrects the pose: hits, by a scan match, or lines, the straight ones in scans "
+           "and sonar readings, by those of line_map.");
     option("ekf_gate_probability", ekf_gate_probability, kProbability, "",
-           "Share of the right matches that are near enough to odometry, by their Mahalanobis "
-           "distance, to be believed; 1: all are.");
+           "Probability that a right match passes the gate, a chi-square test of its distance from "
+           "the prediction; 1: no gate.");
     option("ekf_rejected_scans", ekf_rejected_scans, Range{1, 1000}, "",
-           "Scans in a row that only odometry gainsays before they are believed and it is not.");
+           "A match that the gate refuses is taken after so many good ones in a row.");
     option("cloud_particles", cloud_particles, Range{1, 100000}, "",
-           "Particles drawn from the belief (ekf_icp, markov): to be seen, and to stand for it "
-           "where it "
-           "has no simpler form.");
+           "Particles drawn from the belief of ekf_icp or markov, published and used where the "
+           "belief has no simpler form.");
     option("ekf_weigh_cloud", ekf_weigh_cloud,
-           "Where walls are so thick on the map that hits slide in them, weigh the cloud by the "
-           "scan and go on from its mean and covariance, if the match is not refused.");
+           "Where walls are thick and hits slide in them, correct by the mean and covariance of a "
+           "weighted cloud (Kotecha and Djuric 2003).");
   }
 };
 
@@ -59,7 +58,7 @@ struct EkfParts {
 ///     predict   x = x (+) odometry,   P = F P F^T + G Q G^T
 ///     correct   by the matched pose, along the directions that the scan tells something of
 ///
-/// A match with too many outliers, or one that odometry gainsays (gate), corrects nothing: the
+/// A match with too many outliers, or one that odometry contradicts (gate), corrects nothing: the
 /// covariance grows. A match that fits scan after scan is believed after all. From an unknown start
 /// the pose is that of the place where the first scan fits best.
 ///
@@ -100,7 +99,7 @@ class EkfIcp : public Filter {
   bool anywhere_{false};
   double stamp_{0.0};  // of the last update, s
   double way_{0.0};    // since a cloud was weighed, m or rad
-  int gainsaid_{0};    // good matches in a row
+  int refused_{0};     // good matches in a row
 };
 
 }  // namespace adaptive_localization

@@ -16,8 +16,8 @@ struct ElsewhereOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("elsewhere", elsewhere, Choices{"free", "ser", "places"},
-           "Where a robot that may be anywhere is looked for: in all free space, where scans have "
-           "the energy of the one just taken (SER), or at the places where it fits best.");
+           "Where a robot that may be anywhere is looked for: free, in all free space; ser, where "
+           "the energy is similar to the scan's; places, where the scan fits best.");
   }
 };
 

@@ -37,7 +37,7 @@ MarkovFilter::MarkovFilter(const MarkovOptions& options, MarkovParts parts, std:
       parts_(std::move(parts)),
       belief_(parts_.map, options.markov_cell, options.markov_headings),
       rng_(seed) {
-  conclude();
+  summarizeBelief();
 }
 
 void MarkovFilter::reset(const Prior& prior) {
@@ -49,7 +49,7 @@ void MarkovFilter::reset(const Prior& prior) {
   } else {
     belief_.spread();
   }
-  conclude();
+  summarizeBelief();
 }
 
 Estimate MarkovFilter::update(const Pose2& motion, const Observations& observations) {
@@ -57,7 +57,7 @@ Estimate MarkovFilter::update(const Pose2& motion, const Observations& observati
   if (belief_.cellsAbove(0.0).empty()) belief_.spread();  // it has left the map
   if (options_.markov_anywhere > 0.0) belief_.mix(options_.markov_anywhere);
   weigh(observations);
-  conclude();
+  summarizeBelief();
   return estimate_;
 }
 
@@ -70,7 +70,7 @@ void MarkovFilter::weigh(const Observations& observations) {
 }
 
 /// The estimate, and particles drawn within the cells that they stand for.
-void MarkovFilter::conclude() {
+void MarkovFilter::summarizeBelief() {
   const auto cells = belief_.cellsAbove(kWorthTelling);
   const Particles poses = belief_.poses(cells);
   const Eigen::ArrayXd weights = normalisedWeights(poses.log_weight);

@@ -22,19 +22,17 @@ struct MarkovOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("markov_cell", markov_cell, Range{0.02, 10}, "m",
-           "Side of a cell of the belief; at least that of the map's cells.");
+           "Side of a cell of the belief; at least the side of the map's cells.");
     option("markov_headings", markov_headings, Range{8, 720}, "",
            "Headings in each cell of the belief.");
-    option(
-        "markov_anywhere", markov_anywhere, Range{0, 1}, "",
-        "Share of the belief that may be anywhere else at each update: a robot that was carried "
-        "away is found, and every cell is weighed by each scan. 0: only those that may hold it.");
+    option("markov_anywhere", markov_anywhere, Range{0, 1}, "",
+           "Probability at each update that the robot was carried elsewhere; 0: only cells that "
+           "may hold it are updated.");
     option("cloud_particles", cloud_particles, Range{1, 100000}, "",
-           "Particles drawn from the belief (ekf_icp, markov): to be seen, and to stand for it "
-           "where it "
-           "has no simpler form.");
+           "Particles drawn from the belief of ekf_icp or markov, published and used where the "
+           "belief has no simpler form.");
     option("markov_max_memory", markov_max_memory, Range{1, 1e6}, "MB",
-           "Maps on which the belief would take more are refused.");
+           "Memory limit of the belief; maps that need more are refused.");
   }
 };
 
@@ -65,7 +63,7 @@ class MarkovFilter : public Filter {
 
  private:
   void weigh(const Observations& observations);
-  void conclude();
+  void summarizeBelief();
 
   MarkovOptions options_;
   MarkovParts parts_;

@@ -65,7 +65,7 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
   if (isOnePlace(estimate)) anywhere_ = false;
 
   const double elsewhere = parts_.exploration->share();
-  if (elsewhere > 0.0) parts_.elsewhere->condition(observations);  // this may be dear
+  if (elsewhere > 0.0) parts_.elsewhere->condition(observations);  // this may be slow
   if (resamplingIsDue(weights, elsewhere)) {
     resample(weights, elsewhere);
     estimate.share_elsewhere = elsewhere;

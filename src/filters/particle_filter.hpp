@@ -25,8 +25,8 @@ struct ParticleFilterOptions {
     option("selective_resampling", selective_resampling,
            "Resample only when the effective number of particles is below half of them.");
     option("min_effective_share", min_effective_share, kProbability, "",
-           "Share of the effective particles that an update keeps at least, by tempering a "
-           "likelihood that is too sharp for them; 0: never tempers.");
+           "Least ratio of effective particles after an update to those before it; a likelihood "
+           "that is too sharp is tempered. 0: never.");
   }
 };
 

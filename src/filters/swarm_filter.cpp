@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kCloudXy = 0.06, kCloudTheta = 0.04;  // m, rad: a cloud is at least so wide
 constexpr double kSecondPlace = 0.05;                  // mass of a mode that counts
-constexpr double kStrangeRatio = 2.5;  // of costs, at which a fix may gainsay odometry,
-constexpr int kStrangeScans = 2;       // so many times in a row
-constexpr double kHopeless = 0.8;      // share of the worst cost that tells nothing, unmatched
+constexpr double kUnexpectedRatio = 2.5;  // of costs, at which a fix may contradict odometry,
+constexpr int kStrangeScans = 2;          // so many times in a row
+constexpr double kHopeless = 0.8;         // share of the worst cost that tells nothing, unmatched
 constexpr double kUnsure = 9.0;       // a place found anew is so much less sure than its bats agree
 constexpr double kAstray = 1.5;       // a match whose cost is so many times larger,
 constexpr double kAstrayMore = 0.03;  // m, 1: and so much more, went astray
@@ -154,7 +154,7 @@ void SwarmFilter::fixHere(const Observations& observations) {
 
 void SwarmFilter::takeIfPlausible(const SwarmFix& fix, const Observations& observations) {
   const bool is_hopeless = !fix.match && fix.cost > kHopeless * parts_.fixer->worst();
-  if (is_hopeless || isStrange(fix, observations)) return;
+  if (is_hopeless || isUnexpected(fix, observations)) return;
   take(fix, options_.swarm_fuse && !is_undecided_);
 }
 
@@ -168,7 +168,7 @@ PoseObservation SwarmFilter::observationOf(const SwarmFix& fix) const {
 }
 
 /// Whether a fix contradicts odometry though hardly anything speaks for it.
-bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observations) {
+bool SwarmFilter::isUnexpected(const SwarmFix& fix, const Observations& observations) {
   if (!options_.swarm_fuse || is_fix_asked_ || is_undecided_) return false;
   const PoseObservation seen = observationOf(fix);
   if (seen.innovation.size() == 0 || !tracker_.isOutlier(seen)) {
@@ -176,7 +176,7 @@ bool SwarmFilter::isStrange(const SwarmFix& fix, const Observations& observation
     return false;
   }
   const double cost_here = parts_.fixer->costOf(estimate_.T_map_base, observations);
-  if (fix.cost * kStrangeRatio > cost_here) return true;
+  if (fix.cost * kUnexpectedRatio > cost_here) return true;
   return ++strange_ < kStrangeScans;
 }
 

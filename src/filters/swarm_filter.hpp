@@ -26,21 +26,19 @@ struct SwarmFilterOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("swarm_size", swarm_size, Range{2, 1000000}, "",
-           "Searchers in the swarm, as far as the budget goes.");
+           "Searchers of the swarm at the most; swarm_budget may allow fewer.");
     option("swarm_fix_deviation", swarm_fix_deviation, kNotNegative, "m",
-           "The swarm looks for the robot once the position's standard deviation by odometry is "
-           "above this, or a scan is not explained; 0: at every update.");
-    option(
-        "swarm_explained", swarm_explained, kPositive, "m, 1",
-        "A place does not explain a scan if its cost is above this: m, or a share of the range, as "
-        "swarm_error says.");
-    option(
-        "swarm_spread", swarm_spread,
-        "The swarm spreads over the map once its place does not explain a scan, and the robot goes "
-        "wherever the swarm does; otherwise recovery looks elsewhere.");
+           "The swarm searches when the position's standard deviation by odometry exceeds this or "
+           "a scan is not explained; 0: at every update.");
+    option("swarm_explained", swarm_explained, kPositive, "m, 1",
+           "Cost above which a place does not explain a scan: m, or a share of the range "
+           "(swarm_error).");
+    option("swarm_spread", swarm_spread,
+           "Spread the swarm over the map when its place does not explain a scan, and take its "
+           "answer at once; otherwise recovery searches the map.");
     option("swarm_fuse", swarm_fuse,
-           "Weigh what the swarm finds against odometry by their covariances; otherwise odometry "
-           "is forgotten.");
+           "Fuse the swarm's answer with odometry by their covariances; otherwise the answer "
+           "replaces it.");
   }
 };
 
@@ -86,7 +84,7 @@ class SwarmFilter : public Filter {
   void spread(const Observations& observations);
   void takeIfPlausible(const SwarmFix& fix, const Observations& observations);
   PoseObservation observationOf(const SwarmFix& fix) const;
-  bool isStrange(const SwarmFix& fix, const Observations& observations);
+  bool isUnexpected(const SwarmFix& fix, const Observations& observations);
   void take(const SwarmFix& fix, bool is_fused);
 
   SwarmFilterOptions options_;

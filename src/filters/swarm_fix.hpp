@@ -31,33 +31,31 @@ struct SwarmFixOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("swarm_ranges", swarm_ranges, Choices{"table", "cast", "lines"},
-           "Where expected ranges come from: the energy grid's table, once it is made, exact ray "
-           "casting over the map's cells, or over the walls of line_map. Casting knows no other "
-           "limit than the laser's range.");
+           "Source of expected ranges: table, the energy grid's, once it is made; cast, exact ray "
+           "casting in the map; lines, in the walls of line_map. Casting is limited by the laser's "
+           "range alone.");
     option("swarm_near", swarm_near, Choices{"hits", "ranges"},
-           "What the swarm makes small near where odometry says the robot is: the mean distance of "
-           "hits from the map's walls, or what it makes small everywhere.");
+           "Cost that the swarm minimizes near the pose by odometry: hits, the mean distance of "
+           "hits from the map's walls; ranges, the one of swarm_error.");
     option("swarm_answer", swarm_answer, Choices{"place", "best"},
-           "What a search answers: the mean of the likeliest place's searchers, or the best pose "
-           "that any of them found.");
+           "Answer of a search: place, the mean of the searchers at the likeliest place; best, the "
+           "best pose that any of them found.");
     option("swarm_match", swarm_match,
-           "Align the scan with the map from the best place on; otherwise the swarm's spread tells "
-           "how sure a place is.");
+           "Match the scan with the map from the best place on; otherwise the spread of the swarm "
+           "is the answer's covariance.");
     option("swarm_tolerance", swarm_tolerance, kNotNegative, "m, 1",
-           "Cost that is good enough to end a search.");
+           "Cost at which a search ends.");
     option("swarm_max_iterations", swarm_max_iterations, Range{1, 1000000}, "",
-           "Iterations of a search at the most.");
+           "Largest number of iterations of a search.");
     option("swarm_patience", swarm_patience, Range{0, 1000000}, "",
-           "Iterations without progress that end a search; 0: any number.");
+           "A search ends after so many iterations without progress; 0: never.");
     option("swarm_budget", swarm_budget, Range{1e-3, 1e4}, "",
-           "Work of a search at the most, the first look of each searcher among it: 1 is a million "
-           "ranges looked up, about 2 ms; a ray that is cast counts as 150 of them, the move of a "
-           "searcher as 25, a leader that it looks at as 1. Searchers that could not fly 10 "
-           "iterations each are left out.");
-    option(
-        "wrap_map", wrap_map,
-        "While the swarm looks for the robot all over the map, a searcher that leaves at one end "
-        "of the map comes back at the other; odometry, rays and matches end where the map does.");
+           "Work limit of a search in millions of range look-ups, about 2 ms each; the first "
+           "evaluation counts. A cast ray counts 150, a move of a searcher 25, a leader that it is "
+           "compared with 1. The swarm is reduced so that 10 iterations fit.");
+    option("wrap_map", wrap_map,
+           "While the swarm searches the whole map, a searcher that leaves at one end comes back "
+           "at the other; motion, rays and matches do not.");
   }
 };
 

@@ -29,15 +29,15 @@ void Confidence::reset() {
   fit_ = -1.0;
   latest_fit_ = value_ = 0.0;
   contradictions_ = 0;
-  is_gainsaid_ = compact_ = ambiguous_ = false;
+  is_contradicted_ = compact_ = ambiguous_ = false;
 }
 
-void Confidence::goOnFrom(const Confidence& other) {
+void Confidence::copyStateOf(const Confidence& other) {
   fit_ = other.fit_;
   value_ = other.value_;
   latest_fit_ = other.latest_fit_;
   contradictions_ = other.contradictions_;
-  is_gainsaid_ = other.is_gainsaid_;
+  is_contradicted_ = other.is_contradicted_;
   compact_ = other.compact_;
   ambiguous_ = other.ambiguous_;
 }
@@ -75,10 +75,10 @@ void Confidence::observe(const Estimate& estimate, const Observations& observati
   ambiguous_ = estimate.modes.size() > 1 && estimate.modes[1].mass >= options_.ambiguous_mass;
   const double mass = estimate.modes.empty() ? 0.0 : estimate.modes.front().mass;
   const Gaussian2 belief{estimate.T_map_base, estimate.covariance};
-  is_gainsaid_ = std::any_of(
+  is_contradicted_ = std::any_of(
       senses_->parts().begin(), senses_->parts().end(),
       [&](const auto& sense) { return areContradicting(*sense, observations, belief); });
-  const double agreement = is_gainsaid_ ? 0.5 : 1.0;
+  const double agreement = is_contradicted_ ? 0.5 : 1.0;
   value_ = std::clamp(fit() * agreement * mass / (1.0 + relative), 0.0, 1.0);
 }
 

@@ -119,13 +119,13 @@ bool Hypotheses::hold(const Pose2& T_map_core, double error, double usual) const
 
 double Hypotheses::entry(double malus, const TrackingOdds& odds) const {
   double best = all_.empty() ? 0.0 : all_.front().log_odds;
-  double told = 0.0;
+  double of_prior = 0.0;
   for (const Hypothesis& hypothesis : all_) {
     best = std::max(best, hypothesis.log_odds);
     const double prior = std::min(hypothesis.prior, odds.value());
-    if (hypothesis.prior > 0.0) told = std::min(told, hypothesis.log_odds - prior);
+    if (hypothesis.prior > 0.0) of_prior = std::min(of_prior, hypothesis.log_odds - prior);
   }
-  return std::min(told, best - malus);
+  return std::min(of_prior, best - malus);
 }
 
 bool Hypotheses::isByWord() const {

@@ -106,7 +106,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     least_error_ = std::min(least_error_, led_to_->error);
   }
   const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
-  const Eigen::ArrayXXd told = scores(observations);
+  const Eigen::ArrayXXd scored = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
     if (!hypothesis.is_due) continue;
@@ -114,7 +114,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
     for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
-      const double by_sense = told(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      const double by_sense = scored(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
       const double most = senses_->parts()[k]->mostInAll();
       hypothesis.hear(k, worth * by_sense, is_seen ? std::min(most, kMostBesideScan) : most);
     }

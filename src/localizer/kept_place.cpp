@@ -9,11 +9,11 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kMostOff = 0.4, kMostHidden = 0.5;           // of the beams
-constexpr double kMostHits = 0.9;                             // of a scan that fits
-constexpr double kThrough = 0.05, kOfShort = 0.4;             // of the beams; of those too short
-constexpr double kNearlyAll = 0.95, kOn = 0.1;                // of the hits; m, from a wall
-constexpr double kHidden = 0.2, kTold = 2.0, kTracked = 1.5;  // log odds
+constexpr double kMostOff = 0.4, kMostHidden = 0.5;              // of the beams
+constexpr double kMostHits = 0.9;                                // of a scan that fits
+constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
+constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall
+constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds
 
 }  // namespace
 
@@ -26,7 +26,7 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
                          refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
   if (!most_fits) return std::numeric_limits<double>::infinity();
   if (is_hidden || refiner.hitShare(T_map_base, kOn) > kNearlyAll) return kHidden;
-  return is_word ? kTold : kTracked;
+  return is_word ? kInitial : kTracked;
 }
 
 }  // namespace adaptive_localization

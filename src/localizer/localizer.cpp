@@ -53,7 +53,7 @@ void Localizer::use(PreparedMap& prepared, const std::optional<Prior>& belief) {
   if (belief) prepared.filter->reset(*belief);
   auto recovery =
       std::make_unique<Recovery>(prepared.setup.confidence, prepared.ground, prepared.senses);
-  if (recovery_) recovery->goOnFrom(*recovery_);
+  if (recovery_) recovery->copyStateOf(*recovery_);
 
   setThreads(prepared.setup.options.threads);
   compass_.configure(prepared.setup.compass);
@@ -81,7 +81,7 @@ void Localizer::configure(const Parameters& parameters) {
     return build(std::move(setup), std::move(ground), belief());
   }
   auto recovery = std::make_unique<Recovery>(setup.confidence, ground, recovery_->senses());
-  recovery->goOnFrom(*recovery_);
+  recovery->copyStateOf(*recovery_);
   recovery_ = std::move(recovery);
   setThreads(setup.options.threads);
   compass_.configure(setup.compass);
@@ -124,11 +124,11 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
         setup_.options.recovery ? recovery_->published(by_odometry, last_.estimate) : T_map_core;
     T_odom_base_at_update_ = T_odom_base;
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
-    conclude(T_map_base);
+    assess(T_map_base);
     update_requested_ = false;
   } else if (recovery_->isUnverified(observations)) {  // even where the robot stands still
     recovery_->verify(last_.estimate, forCores(T_odom_base, observations));
-    conclude(last_.T_map_odom * *T_odom_base_at_update_);
+    assess(last_.T_map_odom * *T_odom_base_at_update_);
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
@@ -163,7 +163,7 @@ void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
 }
 
 /// What the core makes of motion and observations, refined by a match. Where the localizer
-/// recovers, what stands before the laser is kept from the core, and from any core a covered laser
+/// recovers, what stands before the laser is kept from the core, and from any core an occluded laser
 /// where other senses tell.
 Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
@@ -183,7 +183,7 @@ Estimate Localizer::askCore(const Pose2& motion, const Observations& observation
 }
 
 /// About the pose that is published as of the last update.
-void Localizer::conclude(const Pose2& T_map_base) {
+void Localizer::assess(const Pose2& T_map_base) {
   last_.covariance = covarianceAbout(T_map_base, last_.estimate);
   last_.status = recovery_->status();
   is_anywhere_ = is_anywhere_ && last_.status != Status::kTracking;

@@ -23,7 +23,7 @@ class Proof {
   void demand() { driven_ = 0.0; }
 
   /// Demands on another map as much as was demanded before.
-  void goOnFrom(const Proof& other) { driven_ = other.driven_; }
+  void copyStateOf(const Proof& other) { driven_ = other.driven_; }
 
   /// Motion since the last scan. Where scans do not usually fit as a place explains them, driving
   /// on proves nothing.

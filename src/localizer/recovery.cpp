@@ -28,13 +28,13 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
       proof_(ground.field->quality().roughness()) {}
 
 void Recovery::reset(const Prior& prior) {
-  const bool is_told = std::holds_alternative<Gaussian2>(prior);
+  const bool is_given = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   was_tracking_ = is_unchecked_ = false;
   from_anywhere_ ? proof_.demand() : proof_.waive();
   left_.reset();
-  told_ = ToldPose(is_told);
-  odds_ = TrackingOdds(is_told);
+  initial_pose_ = InitialPose(is_given);
+  odds_ = TrackingOdds(is_given);
   unexplained_ = unfit_ = 0;
   pace_.restart();
   confidence_.reset();
@@ -43,16 +43,16 @@ void Recovery::reset(const Prior& prior) {
   status_ = Status::kGlobalizing;
 }
 
-void Recovery::goOnFrom(const Recovery& other) {
+void Recovery::copyStateOf(const Recovery& other) {
   Recovery next = other;
   next.ground_ = ground_;
   next.senses_ = senses_;
   next.range_error_ = range_error_;
   next.confidence_ = confidence_;
-  next.confidence_.goOnFrom(other.confidence_);
+  next.confidence_.copyStateOf(other.confidence_);
   if (ground_.map != other.ground_.map) next.usual_ = usual_;
   next.proof_ = proof_;
-  next.proof_.goOnFrom(other.proof_);
+  next.proof_.copyStateOf(other.proof_);
   next.hypotheses_.standOn(ground_, senses_);
   next.doubted_.standOn(ground_, senses_);
   *this = std::move(next);
@@ -79,13 +79,13 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   if (in_doubt_) in_doubt_ = *in_doubt_ * motion;
   if (is_settled_ && odds_.isKept()) left_.reset();
   pace_.travel(wayOf(motion));
-  told_.travel(wayOf(motion));
+  initial_pose_.travel(wayOf(motion));
   odds_.checkJump(motion);
   scan_fits_ = false;
   if (!tells(observations)) {
     ground_.places->askAnew();
     odds_.seeNothing();
-    return conclude();
+    return updateStatus();
   }
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = errorAt(T_map_base, observations);
@@ -104,7 +104,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
       usual_.observe(error);
     }
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
-    if (!isAtALoss() && !confidence_.isGainsaid()) pace_.restart();
+    if (!isAtALoss() && !confidence_.isContradicted()) pace_.restart();
     const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
     if (is_tracked || (is_settled_ && error < kWell)) odds_.earn(motion);
     const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
@@ -123,7 +123,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     race(T_map_base, error, observations);
     if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   }
-  conclude();
+  updateStatus();
 }
 
 /// The scan is as usual as it is unexplained, and so are those that came while others were searched
@@ -136,7 +136,7 @@ void Recovery::findNothingBetter(double error) {
 }
 
 bool Recovery::isUnverified(const Observations& observations) const {
-  return told_.isUnverified() && canSearch(observations);
+  return initial_pose_.isUnverified() && canSearch(observations);
 }
 
 void Recovery::verify(const Estimate& estimate, const Observations& all) {
@@ -145,15 +145,15 @@ void Recovery::verify(const Estimate& estimate, const Observations& all) {
   open(estimate.T_map_base);
   const double error = errorAt(estimate.T_map_base, observations);
   race(estimate.T_map_base, error, observations);
-  conclude();
+  updateStatus();
 }
 
 /// A doubt waits until it is known where else the robot can be.
 bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
                          const Observations& observations) {
-  if (told_.isUnverified() || hasJumped(expected, T_map_base)) return true;
+  if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  if (!in_doubt_ && (told_.isCheckDue() || isDoubtful(error, is_seen))) doubt(expected);
+  if (!in_doubt_ && (initial_pose_.isCheckDue() || isDoubtful(error, is_seen))) doubt(expected);
   if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
 }
@@ -169,7 +169,7 @@ bool Recovery::isDoubtful(double error, bool is_seen) const {
   return (unexplained_ > (is_seen ? 0 : kSpurious) || isAtALoss()) && pace_.isOver(error);
 }
 
-void Recovery::conclude() {
+void Recovery::updateStatus() {
   status_ = judge();
   was_tracking_ = was_tracking_ || (is_settled_ && status_ == Status::kTracking);
 }
@@ -179,9 +179,9 @@ void Recovery::conclude() {
 /// such scans are: so badly they fit many another; nor one of a lost robot while others are being
 /// searched for. A place that scans alone told is one of several until it is proven.
 Status Recovery::judge() const {
-  if (told_.isUnverified()) return Status::kGlobalizing;
+  if (initial_pose_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
-  const bool is_taken = hypotheses_.isByWord() && told_.isFresh() && unexplained_ == 0;
+  const bool is_taken = hypotheses_.isByWord() && initial_pose_.isFresh() && unexplained_ == 0;
   if (!is_settled_ && !is_taken) {
     const bool fits = confidence_.latestFit() >= kFoundFit;
     return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;

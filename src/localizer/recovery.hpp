@@ -11,9 +11,9 @@
 #include "adaptive_localization/localizer/confidence.hpp"
 #include "adaptive_localization/localizer/status.hpp"
 #include "localizer/hypotheses.hpp"
+#include "localizer/initial_pose.hpp"
 #include "localizer/proof.hpp"
 #include "localizer/search_pace.hpp"
-#include "localizer/told_pose.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "localizer/usual_error.hpp"
 #include "map/range_error.hpp"
@@ -36,7 +36,7 @@ class Recovery {
   void reset(const Prior& prior);
 
   /// Another one's knowledge, on this one's ground.
-  void goOnFrom(const Recovery& other);
+  void copyStateOf(const Recovery& other);
 
   /// What of a scan, taken about a pose, tells a core where the robot is: nothing if nearly all
   /// beams are too short, as something stands before the laser; without obstacles that the map does
@@ -44,7 +44,7 @@ class Recovery {
   /// looked for by it.
   Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
-  /// Whether the laser is covered, and other senses tell where the robot is.
+  /// Whether the laser is occluded, and other senses tell where the robot is.
   bool canReplaceScan(const Observations& observations) const;
 
   /// Whether a scan contradicts the map at a pose, so that it is worth an update.
@@ -116,7 +116,7 @@ class Recovery {
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   void search(const Observations& observations);
-  void conclude();
+  void updateStatus();
   Status judge() const;
   double shareOf(const Pose2& T_map_base) const {
     const Mode* mode = modeAt(T_map_base, modes_);
@@ -142,7 +142,7 @@ class Recovery {
   bool is_unchecked_{false};         // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
-  ToldPose told_;
+  InitialPose initial_pose_;
   TrackingOdds odds_;
   Proof proof_;
   double way_{0.0};  // since the last scan that counted, m or rad

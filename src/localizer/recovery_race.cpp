@@ -100,7 +100,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
     proof_.demand();
   }
   settle();
-  is_unchecked_ = told_.isCheckDue();
+  is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
@@ -109,7 +109,7 @@ void Recovery::search(const Observations& observations) {
   const auto answer = placesFor(observations);
   if (!canSearch(observations) || !answer) return;
   const std::vector<Place>& places = *answer;
-  told_.checked();
+  initial_pose_.checked();
   is_unchecked_ = false;
   const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
   if (observations.scan.hits() == 0) {

@@ -8,7 +8,7 @@
 
 namespace adaptive_localization {
 
-/// A laser that is covered says nothing: then other senses are asked, as where there is no laser.
+/// An occluded laser says nothing: then other senses are asked, as where there is no laser.
 Observations Recovery::withoutCover(const Observations& observations) {
   Observations rest = observations;
   if (isCovered(rest.scan)) rest.scan = {};
@@ -58,11 +58,11 @@ bool Recovery::isAnswered(const Observations& observations) const {
   return ground_.places->search(observations).has_value();
 }
 
-/// Another sense gainsays the core's place, and there is one that both scan and sense agree on. If
-/// there is none, it is the sense that is wrong.
+/// Another sense contradicts the core's place, and there is one that both scan and sense agree on.
+/// If there is none, it is the sense that is wrong.
 bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observations& observations) {
   constexpr double kBetter = 1.0;  // of a log likelihood
-  if (!confidence_.isGainsaid() || !pace_.isOver(error)) return false;
+  if (!confidence_.isContradicted() || !pace_.isOver(error)) return false;
   const auto places = placesFor(observations);
   if (!canSearch(observations) || !places) return false;
   pace_.searched(false, error);
@@ -71,9 +71,9 @@ bool Recovery::isOutvoted(const Pose2& T_map_base, double error, const Observati
   for (std::size_t i = 0; i < places->size(); ++i) {
     poses.setPose(static_cast<Eigen::Index>(i) + 1, (*places)[i].T_map_base);
   }
-  Eigen::ArrayXd told = Eigen::ArrayXd::Zero(poses.size());
-  senses_->score(observations, poses, told);
-  return told.maxCoeff() > told[0] + kBetter;
+  Eigen::ArrayXd log_likelihood = Eigen::ArrayXd::Zero(poses.size());
+  senses_->score(observations, poses, log_likelihood);
+  return log_likelihood.maxCoeff() > log_likelihood[0] + kBetter;
 }
 
 }  // namespace adaptive_localization

@@ -15,8 +15,8 @@ namespace adaptive_localization {
 class TrackingOdds {
  public:
   TrackingOdds() = default;
-  explicit TrackingOdds(bool is_told)
-      : value_(is_told ? kTold : kFound), word_(is_told ? kTold : 0.0) {}
+  explicit TrackingOdds(bool is_given)
+      : value_(is_given ? kInitial : kFound), word_(is_given ? kInitial : 0.0) {}
 
   double value() const { return value_; }
 
@@ -25,7 +25,7 @@ class TrackingOdds {
 
   /// There is so much that what stands about the robot may have changed, little by little, rather
   /// than the robot's place.
-  bool isKept() const { return value_ >= kTold; }
+  bool isKept() const { return value_ >= kInitial; }
 
   void earn(const Pose2& motion) {
     const double earned = value_ + kPerMetre * std::hypot(motion.x, motion.y);
@@ -57,7 +57,7 @@ class TrackingOdds {
   }
 
  private:
-  static constexpr double kTold = 9.0, kFound = 3.0, kMost = 18.0;
+  static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};

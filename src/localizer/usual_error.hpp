@@ -9,7 +9,7 @@ namespace adaptive_localization {
 
 /// The mean range error that there is where the robot is, by map and laser. It falls within
 /// some 20 scans and rises by 2 % of itself per scan at the most: neither does a corner that is
-/// mapped well speak for the whole map, nor does a laser that is covered for a while become usual.
+/// mapped well speak for the whole map, nor does a laser that is occluded for a while become usual.
 class UsualError {
  public:
   /// Starts from what the map lets expect, m: MapQuality::rangeError().

@@ -48,10 +48,10 @@ Pose2 stepToLines(const Pose2& from, const MatchPairs& pairs, double lever,
   const NormalEquations normal(pairs, lever);
   Eigen::Vector3d step;
   if (prior.is_none) {
-    const Directions telling(normal);
+    const Directions observable(normal);
     const Match::Vector along =
-        (telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
-    step = telling.columns * along;
+        (observable.columns.transpose() * normal.b).cwiseQuotient(observable.hits);
+    step = observable.columns * along;
   } else {
     const Eigen::Vector3d off(from.x - prior.mean.x, from.y - prior.mean.y,
                               lever * wrapAngle(from.theta - prior.mean.theta));

@@ -16,11 +16,11 @@ constexpr double kVaguest = 0.5;              // m, of a direction of which line
 constexpr double kLever = 3.0;                // m per rad, so that headings compare with places
 
 /// What lines tell of the pose: information, and its product with the step to the best pose.
-struct Told {
+struct LineInformation {
   Eigen::Matrix3d information{Eigen::Matrix3d::Zero()};
   Eigen::Vector3d pull{0.0, 0.0, 0.0};
 
-  explicit Told(const std::vector<LineMatch>& matches) {
+  explicit LineInformation(const std::vector<LineMatch>& matches) {
     for (const auto& match : matches) {
       const Eigen::Matrix<double, 3, 2> weighted = match.H.transpose() * match.R.inverse();
       information += weighted * match.H;
@@ -47,16 +47,16 @@ Eigen::Matrix3d knownBefore(const Eigen::Matrix3d& prior) {
 }
 
 /// Rows over (x, y, theta) with the variance of each, and the step along them.
-void solve(const Told& told, Match& match) {
-  if (!told.information.allFinite() || !told.pull.allFinite()) return;
+void solve(const LineInformation& lines, Match& match) {
+  if (!lines.information.allFinite() || !lines.pull.allFinite()) return;
   const Eigen::DiagonalMatrix<double, 3> to_lever(1.0, 1.0, 1.0 / kLever);
-  const Eigen::Matrix3d scaled = to_lever * told.information * to_lever;
+  const Eigen::Matrix3d scaled = to_lever * lines.information * to_lever;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
   const auto count =
       (solver.eigenvalues().array() > 1.0 / (kVaguest * kVaguest)).count();  // in rising order
   const Match::Rows rows = solver.eigenvectors().rightCols(count).transpose();
   match.variance = solver.eigenvalues().tail(count).cwiseInverse();
-  const Match::Vector along = match.variance.asDiagonal() * (rows * (to_lever * told.pull));
+  const Match::Vector along = match.variance.asDiagonal() * (rows * (to_lever * lines.pull));
   const Eigen::Vector3d step = to_lever * (rows.transpose() * along);
   match.H = rows * Eigen::DiagonalMatrix<double, 3>(1.0, 1.0, kLever);
   match.rest = Match::Vector::Zero(count);
@@ -100,9 +100,9 @@ Match LineMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matr
   std::vector<LineMatch> matches;
   for (int round = 0; round < kRounds; ++round) {
     matches = matchLines(match.T_map_base, covariance, lines, map_, options_);
-    const Told told(matches);
-    solve(told, match);
-    covariance = (known + told.information).inverse();
+    const LineInformation seen(matches);
+    solve(seen, match);
+    covariance = (known + seen.information).inverse();
     match.iterations = round + 1;
   }
   countHits(scan, lines, matches, match);

@@ -16,21 +16,19 @@ struct LineOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option("line_least_points", line_least_points, Range{3, 100000}, "",
-           "Hits that make a line, at the least.");
-    option("line_least_length", line_least_length, kPositive, "m",
-           "Length of a line at the least.");
+    option("line_least_points", line_least_points, Range{3, 100000}, "", "Fewest hits of a line.");
+    option("line_least_length", line_least_length, kPositive, "m", "Shortest line.");
     option("line_range_std", line_range_std, kPositiveDeviation, "m",
-           "Standard deviation of the laser's ranges, as lines take it.");
+           "Standard deviation of the laser's ranges when lines are found.");
     option("line_sonar_std", line_sonar_std, kPositiveDeviation, "m",
-           "The same of sonars; 1 % of the range comes on top.");
+           "Standard deviation of sonar ranges when lines are found; 1 % of the range is added.");
     option("line_map_std", line_map_std, kDeviation, "m",
-           "Standard deviation of what all of a line's hits have in common: errors of the map's "
-           "wall and of the laser's ranges.");
+           "Standard deviation of the error that all hits of a line share: of the map's wall and "
+           "the laser's offset.");
     option("line_map_turn_std", line_map_turn_std, kDeviation, "rad",
-           "The same of a line's direction.");
+           "Standard deviation of the error in direction that all hits of a line share.");
     option("line_overlap", line_overlap, kProbability, "",
-           "Share of a line's length that must lie along the map's line.");
+           "Least share of a line's length that lies along the line of the map.");
   }
 };
 

@@ -190,13 +190,13 @@ void ScanMatcher::rate(const Scan& scan, Match& match) const {
   weigh(pairs, scan.hits(), options_.match_reach_end);
   const double lever = leverOf(scan);
   const NormalEquations normal(pairs, lever);
-  const Directions telling(normal);
+  const Directions observable(normal);
   const double seen = normal.weight > 0.0 ? normal.squares / normal.weight : 0.0;
   const double variance = std::max(hitVariance(), seen / options_.match_information);
-  match.H = telling.columns.transpose();
+  match.H = observable.columns.transpose();
   match.H.col(2) *= lever;
-  match.variance = variance * telling.hits.cwiseInverse();
-  match.rest = -(telling.columns.transpose() * normal.b).cwiseQuotient(telling.hits);
+  match.variance = variance * observable.hits.cwiseInverse();
+  match.rest = -(observable.columns.transpose() * normal.b).cwiseQuotient(observable.hits);
   if (options_.match_metric == "point") match.rest.setZero();  // no prior held the pose back
   const Eigen::Vector3d map_std(options_.match_map_std, options_.match_map_std,
                                 options_.match_map_turn_std);

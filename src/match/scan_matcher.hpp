@@ -37,35 +37,39 @@ struct MatchOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("match_metric", match_metric, Choices{"line", "point"},
-           "What a scan match makes small: distances of hits from lines along the walls "
-           "(point-to-line), or from the nearest points of the map (point-to-point).");
+           "Distance that a scan match minimizes: line, of hits from lines along the walls "
+           "(point-to-line); point, from the nearest points of the map (point-to-point).");
     option("match_outliers", match_outliers, Choices{"none", "kernel", "trim", "ransac"},
-           "How a scan match finds out which hits are not of the map's walls: weights that fall "
-           "with the distance (Geman-McClure), the best share alone, or random sampling and then "
-           "weights.");
+           "Outliers of a scan match: kernel, weights that fall with the distance (Geman-McClure); "
+           "trim, the best share alone; ransac, random sampling and then weights; none, no hit is "
+           "one.");
     option("match_max_iterations", match_max_iterations, Range{1, 1000}, "",
-           "Iterations of a scan match at the most.");
+           "Largest number of iterations of a scan match.");
     option("match_reach", match_reach, kPositive, "m",
-           "A hit farther from the map's walls than this is not matched, in the first iteration.");
+           "Largest distance of a matched hit from the map's walls in the first iteration.");
     option("match_reach_end", match_reach_end, kPositive, "m",
-           "The same in the last iterations; it shrinks by three tenths each time.");
+           "Largest distance of a matched hit in the last iterations; match_reach shrinks to it by "
+           "three tenths per iteration.");
     option("match_kernel", match_kernel, kPositive, "m",
-           "Distance at which a hit counts a quarter, in the last iterations (kernel, ransac).");
+           "Distance at which a hit has a quarter of its weight in the last iterations (kernel, "
+           "ransac).");
     option("match_range_std", match_range_std, kPositiveDeviation, "m",
-           "Standard deviation of the laser's ranges.");
+           "Standard deviation of the laser's ranges in a match.");
     option("match_surface_std", match_surface_std, kPositiveDeviation, "m",
-           "Standard deviation of a wall from where the map has it, hit by hit.");
+           "Standard deviation of a wall's error in the map, independent for each hit.");
     option("match_information", match_information, Range{1e-6, 1}, "",
-           "What a hit is worth when a match says how sure it is; less than 1 as neighbouring hits "
-           "share the map's errors.");
+           "Factor on the information of a hit; less than 1, as neighbouring hits share the map's "
+           "errors.");
     option("match_map_std", match_map_std, kDeviation, "m",
-           "Standard deviation of the map's own error, that all hits share.");
-    option("match_map_turn_std", match_map_turn_std, kDeviation, "rad", "The same of the heading.");
-    option("match_least_inliers", match_least_inliers, kProbability, "",
-           "A scan of which a smaller share fits is not matched: too much is not in the map.");
+           "Standard deviation of the map's error that all hits share.");
+    option("match_map_turn_std", match_map_turn_std, kDeviation, "rad",
+           "Standard deviation of the map's error in heading that all hits share.");
+    option(
+        "match_least_inliers", match_least_inliers, kProbability, "",
+        "Least share of the hits that fit the map after a match; with fewer it corrects nothing.");
     option("line_map", line_map, Choices{},
-           "Floor plan (YAML) in the map's frame whose walls are matched instead of the map's "
-           "cells, exactly; empty: none.");
+           "Floor plan (YAML, in the map's frame) whose exact walls are matched instead of the "
+           "map's cells; empty: none.");
   }
 };
 

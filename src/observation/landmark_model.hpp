@@ -21,23 +21,23 @@ struct LandmarkOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("landmark_map", landmark_map, Choices{},
-           "YAML file with a list of landmarks, a floor plan perhaps; empty: none are known.");
+           "YAML file with landmarks, or a floor plan that has some; empty: none.");
     option("landmark_association", landmark_association,
            Choices{"all", "nearest", "nearest_distance"},
-           "Of which landmark a sighting is where several look the same: of each with its "
-           "likelihood, of the likeliest, or of the one whose distance fits best.");
+           "Landmark of a sighting that may be of several: all, each by its likelihood; nearest, "
+           "the likeliest; nearest_distance, the one whose range fits best.");
     option("landmark_likelihood", landmark_likelihood, Choices{"gaussian", "exponential"},
-           "Of the differences in range and bearing: as their standard deviations say, or "
-           "exp(-|m| / 2 - |rad| / 2).");
+           "Likelihood of differences in range and bearing: gaussian, by their standard "
+           "deviations, or exponential, exp(-|m| / 2 - |rad| / 2) (Fidelis and Colombini 2017).");
     option("landmark_false_share", landmark_false_share, kProbability, "",
            "Share of sightings that are of no landmark.");
     option("landmark_miss_share", landmark_miss_share, kProbability, "",
-           "Share of landmarks in view that are not sighted; counts with landmark_max_range.");
+           "Share of the landmarks in view that are not sighted; used with landmark_max_range.");
     option("landmark_max_range", landmark_max_range, kNotNegative, "m",
-           "A landmark nearer than this, in view and not hidden by a wall, should be sighted; 0: "
-           "one that is not sighted tells nothing.");
+           "A landmark in view, nearer than this and not hidden by a wall should be sighted; 0: a "
+           "missing sighting tells nothing.");
     option("landmark_view", landmark_view, Range{0.0, 2.0 * kPi}, "rad",
-           "Angle in which landmarks are sighted, half of it on each side of straight ahead.");
+           "Angle of view in which landmarks are sighted, centred straight ahead.");
   }
 };
 

@@ -17,14 +17,14 @@ struct SonarOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("sonar_sigma", sonar_sigma, Range{0.005, 2}, "m",
-           "Standard deviation of a sonar's range, of sensor and map together; 1 % of the range "
-           "comes on top.");
+           "Standard deviation of a sonar's range, of sensor and map together; 1 % of the range is "
+           "added.");
     option("sonar_false_share", sonar_false_share, Range{0.01, 0.99}, "",
            "Share of readings that are of nothing on the map: mirrored, of another sonar's ping, "
            "of people.");
     option("effective_sonars", effective_sonars, kPositive, "",
-           "How many independent readings those of all sonars are worth at most: they see the same "
-           "surfaces.");
+           "Number of independent readings that those of all sonars are worth at the most: they "
+           "see the same surfaces.");
   }
 };
 

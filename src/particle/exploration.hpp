@@ -24,10 +24,12 @@ struct ExplorationOptions {
     option("recovery_alpha_fast", recovery_alpha_fast, kProbability, "",
            "Decay rate of the short-term mean likelihood; 0: no recovery (amcl core).");
     option("recovery_margin", recovery_margin, Range{1, 1000}, "",
-           "How many times better the long-term mean must be for poses elsewhere to be drawn.");
-    option("recovery_reference", recovery_reference, Choices{"best", "mean"},
-           "The long-term mean follows the short-term one at once when that is better, and goes on "
-           "after poses elsewhere were drawn (best), or is a plain mean that starts anew (mean).");
+           "Poses elsewhere are drawn when the short-term mean likelihood times this is below the "
+           "long-term one.");
+    option(
+        "recovery_reference", recovery_reference, Choices{"best", "mean"},
+        "Long-term mean likelihood: best, which rises to the short-term one at once and is kept "
+        "after poses elsewhere were drawn, or mean, the plain running mean of Thrun et al. 2005.");
   }
 };
 

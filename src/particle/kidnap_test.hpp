@@ -19,15 +19,15 @@ struct KidnapOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("kidnap_mean_abs_error", kidnap_mean_abs_error, kNotNegative, "m",
-           "The best particle does not explain a scan if its mean range error per beam is above "
-           "this (xi); 0: never mind, recovery does.");
+           "Kidnapping threshold (xi): mean range error per beam of the best particle above which "
+           "a scan is not explained; 0: recovery decides instead.");
     option("kidnap_arm_spread", kidnap_arm_spread, kNotNegative, "m",
-           "The test is on once the mean distance of particles from their mean was below this; 0: "
-           "from the start.");
+           "The kidnapping test starts when the mean distance of particles from their mean falls "
+           "below this; 0: at once.");
     option("kidnap_arm_particles", kidnap_arm_particles, kWhole, "",
-           "The test is on once there were fewer particles than this; 0: any number.");
+           "The kidnapping test starts when there are fewer particles than this; 0: at once.");
     option("local_share", local_share, kProbability, "",
-           "Share of the particles that stay when the robot seems to have been kidnapped (alpha).");
+           "Share of the particles that stay when a kidnapping is detected (alpha).");
   }
 };
 

@@ -33,8 +33,8 @@ struct SampleSizeOptions {
     option("kld_bin_theta", kld_bin_theta, Range{1e-3, 2 * kPi}, "rad",
            "Side of a bin in heading (KLD); 2 pi: bins in x and y only.");
     option("kld_count", kld_count, Choices{"drawn", "resampled"},
-           "Count the bins of particles as they are drawn (Fox 2003), or of the resampled set and "
-           "for the next one (SA-KLD's sources).");
+           "Set whose bins give the sample size: the one being drawn (Fox 2003), or the last "
+           "resampled one (Li 2016).");
   }
 };
 

@@ -55,10 +55,9 @@ struct NodeOptions {
     option("odom_frame_id", odom_frame_id, Choices{}, "Frame of the odometry.");
     option("base_frame_id", base_frame_id, Choices{}, "Frame of the robot.");
     option("global_frame_id", global_frame_id, Choices{}, "Frame of the map.");
-    option(
-        "scan_topics", scan_topics, Choices{},
-        "Topics with scans, separated by spaces or commas; empty: a robot without a laser, which "
-        "landmarks or sonars localize.");
+    option("scan_topics", scan_topics, Choices{},
+           "Topics with scans, separated by spaces or commas; empty: no laser, the robot is "
+           "localized by landmarks or sonars.");
     timing.visit(option);
     headings.visit(option);
     landmarks.visit(option);
@@ -67,7 +66,8 @@ struct NodeOptions {
            "Take the map from topic 'map' instead of service 'static_map'.");
     option("first_map_only", first_map_only, "Ignore all but the first map on the topic.");
     option("map_origin_is_cell_center", map_origin_is_cell_center,
-           "The map's origin is the centre of its first cell, not its corner: for maps made so.");
+           "The map's origin is the centre of its first cell, not its corner; some map makers "
+           "write it so.");
     option("tf_broadcast", tf_broadcast, "Send the transform from map to odom.");
     option("transform_tolerance", transform_tolerance, Range{0, 60}, "s",
            "How far the transform is dated into the future.");
@@ -88,7 +88,8 @@ struct NodeOptions {
     option("std_warn_level_yaw", std_warn_level_yaw, kNotNegative, "rad",
            "Standard deviation in yaw above which /diagnostics warns.");
     option("start", start, Choices{"pose", "anywhere", "wait"},
-           "Start at initial_pose_*, anywhere on the map, or wait for an initialpose.");
+           "Initial belief of the node: the pose initial_pose_*, anywhere on the map, or none "
+           "before an initialpose.");
     option("initial_pose_x", initial_pose_x, kCoordinate, "m", "Pose to start at, x.");
     option("initial_pose_y", initial_pose_y, kCoordinate, "m", "Pose to start at, y.");
     option("initial_pose_a", initial_pose_a, kCoordinate, "rad", "Pose to start at, yaw.");

@@ -23,19 +23,18 @@ struct EnergyGridOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("energy_beams", energy_beams, Range{1, kDirections}, "",
-           "Beams of a scan that its energy is made of, evenly spread (energy grid).");
+           "Beams of a scan whose ranges make its energy, evenly spread.");
     option("energy_orientations", energy_orientations, Range{1, kDirections}, "",
-           "Headings in each cell of the energy grid; a laser that sees all round needs one.");
+           "Headings per cell of the energy grid; a laser with a view of 360 degrees needs one.");
     option("energy_max_range", energy_max_range, Range{0.1, 1000}, "m",
-           "Ranges are cut off here for energies and for the global search.");
+           "Ranges are truncated to this for energies and the global search.");
     option("ser_delta", ser_delta, Range{0, 1}, "",
-           "Poses whose energy differs less than this are similar; widened by the share of beams "
-           "that are invalid.");
+           "Largest difference in energy of similar poses; widened by the share of invalid beams.");
     option("energy_grid_max_memory", energy_grid_max_memory, Range{1, 1e6}, "MB",
-           "Where the energy grid would take more, it uses every second cell of the map, or every "
-           "third, and so on.");
+           "Memory limit of the energy grid: where it would take more, it uses every second cell "
+           "of the map, or every third, and so on.");
     option("cache_dir", cache_dir, Choices{},
-           "Folder in which energy grids are kept from start to start; empty: nowhere.");
+           "Folder in which energy grids are kept for the next start; empty: none.");
   }
 };
 

@@ -21,20 +21,18 @@ struct GlobalSearchOptions {
 
   template <class Visitor>
   void visit(Visitor&& option) {
-    option(
-        "search_truncation", search_truncation, kPositive, "m",
-        "A beam whose range is wrong by more than this counts as wrong by this (global search).");
+    option("search_truncation", search_truncation, kPositive, "m",
+           "Range errors are truncated to this in the global search.");
     option("search_margin", search_margin, kNotNegative, "m",
-           "Places whose mean range error per beam is this much above the best one's are still "
-           "candidates (global search).");
+           "Candidates of the global search have a mean range error per beam within this of the "
+           "best one's.");
     option("search_max_error", search_max_error, kPositive, "m",
-           "Nowhere was a scan taken whose mean range error per beam is above this everywhere "
-           "(global search).");
+           "Largest mean range error per beam of a candidate of the global search.");
     option("search_max_places", search_max_places, Range{1, 10000}, "",
-           "Candidates kept by the global search at the most.");
+           "Largest number of candidates of the global search.");
     option("search_max_visits", search_max_visits, kWhole, "",
-           "Poses looked at by one global search at the most, the most promising ones; 0: as many "
-           "as it takes to leave none out that could matter.");
+           "Poses that one global search evaluates at the most, the most promising ones first; 0: "
+           "as many as an exact answer needs.");
   }
 };
 

@@ -15,7 +15,8 @@ struct PlaceSamplerOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("place_ser_share", place_ser_share, kProbability, "",
-           "Share of poses drawn from the SER instead, in case that no place is the right one.");
+           "Share of the poses elsewhere that are drawn from the similar energy region, in case no "
+           "place is the right one.");
   }
 };
 

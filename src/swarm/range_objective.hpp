@@ -23,10 +23,10 @@ struct RangeObjectiveOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("swarm_beams", swarm_beams, Range{1, 10000}, "",
-           "Beams of a scan that the swarm looks at, evenly spread.");
+           "Beams of a scan that the swarm uses, evenly spread.");
     option("swarm_error", swarm_error, Choices{"truncated", "relative"},
-           "What the swarm makes small: the mean range error per beam, m, or the mean of each "
-           "beam's error as a share of its range.");
+           "Cost that the swarm minimizes: truncated, the mean range error per beam in m; "
+           "relative, the mean ratio of error to range (Araujo Neto 2019).");
   }
 };
 

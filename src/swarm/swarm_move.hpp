@@ -41,24 +41,24 @@ struct BatOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("bat_frequency", bat_frequency, Range{0, 1e3}, "",
-           "A bat is drawn to its leader by up to this many times its distance in one iteration.");
+           "Largest frequency: the velocity towards the leader, in distances to it per iteration.");
     option("bat_inertia", bat_inertia, Range{0, 1}, "",
-           "Share of its velocity that a bat keeps from one iteration to the next.");
+           "Share of its velocity that a bat keeps per iteration.");
     option("bat_repulsive", bat_repulsive,
-           "Bats fly away from the best one, as the algorithm is printed; a misprint.");
-    option(
-        "bat_walk_share", bat_walk_share, Range{-1, 1}, "",
-        "Share of moves that are local walks; below 0: by each bat's pulse rate, as printed, which "
-        "walks always at first and ever more rarely.");
+           "Bats move away from the best one, as printed; a misprint.");
+    option("bat_walk_share", bat_walk_share, Range{-1, 1}, "",
+           "Share of moves that are local walks; negative: by the pulse rate of each bat, as "
+           "printed.");
     option("bat_walk_adapts", bat_walk_adapts,
-           "Local walks are as wide as the leader's colony is, and not bat_walk_size.");
+           "Local walks are as wide as the leader's colony, instead of bat_walk_size.");
     option("bat_walk_size", bat_walk_size, kDeviation, "m, rad",
            "Standard deviation of a local walk in each coordinate.");
     option("bat_leap_share", bat_leap_share, kProbability, "",
-           "Share of local walks that leap along one axis only, out of local minima.");
-    option("bat_greedy", bat_greedy, "A bat takes every better place, however loud it is.");
+           "Share of local walks that change one coordinate only, by a tenth of the space, to "
+           "leave local minima.");
+    option("bat_greedy", bat_greedy, "A bat takes every better place, whatever its loudness.");
     option("bat_pulse_rate", bat_pulse_rate, kProbability, "",
-           "Pulse rate that bats get to (bat_walk_share below 0).");
+           "Final pulse rate of a bat (negative bat_walk_share).");
   }
 };
 
@@ -70,10 +70,10 @@ struct LeaderOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("leaders_per_bats", leaders_per_bats, Range{1, 1000000}, "",
-           "One leader for so many bats.");
-    option("min_leaders", min_leaders, Range{1, 1000000}, "", "But at least so many leaders.");
+           "Number of bats per leader.");
+    option("min_leaders", min_leaders, Range{1, 1000000}, "", "Fewest leaders.");
     option("walk_center", walk_center, Choices{"nearest_leader", "global_best"},
-           "Where local walks start from.");
+           "Centre of local walks: the nearest leader, or the best place of all.");
   }
 };
 

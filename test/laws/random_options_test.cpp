@@ -21,7 +21,7 @@ constexpr int kMostHypotheses = 10 * kMostParticles;  // ekf_icp has so many any
 constexpr int kMostBeams = 100;
 constexpr int kMostVisits = 100000;
 
-/// What makes a call dear, and nothing else: less of it.
+/// What makes a call slow, and nothing else: less of it.
 const std::map<std::string, double> kSizes{{"min_particles", 50},
                                            {"max_particles", kMostParticles},
                                            {"swarm_size", kMostParticles},

@@ -56,7 +56,7 @@ TEST(Proof, OnAnotherMapKeepsTheWayDriven) {
   Proof before(kRough), after(2.0 * kRough);
   before.demand();
   for (int i = 0; i < 10; ++i) before.drive(kMetre, kFits);
-  after.goOnFrom(before);
+  after.copyStateOf(before);
   EXPECT_EQ(metresUntilGiven(after), 18);
 }
 

@@ -589,7 +589,7 @@ TEST(Recovery, AnotherOneGoesOnWithWhatItKnows) {
   one.recovery.reset(Anywhere{});
   one.believed = truth;
   one.see(truth, truth);
-  other.recovery.goOnFrom(one.recovery);
+  other.recovery.copyStateOf(one.recovery);
   EXPECT_EQ(other.recovery.status(), Status::kAmbiguous);
   EXPECT_DOUBLE_EQ(other.shareOf(truth), one.shareOf(truth));
 }

@@ -84,9 +84,10 @@ struct ScanOptions {
     option("laser_max_range", laser_max_range, Range{-1, 1000}, "m",
            "Longer readings are no-returns; -1: as the scan message says.");
     option("reflector_intensity", reflector_intensity, kNotNegative, "",
-           "What is at least so bright in a scan is a landmark of the landmark_map that is not "
-           "identified; 0: scans have none.");
-    option("deskew", deskew, "Undo the robot's motion from the first beam of a scan to the last.");
+           "Hits of at least this intensity are unidentified landmarks of the landmark_map; 0: "
+           "scans have none.");
+    option("deskew", deskew,
+           "Correct scans for the robot's motion between the first beam and the last.");
   }
 };
 

@@ -17,10 +17,9 @@ struct CompassOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("heading_offset", heading_offset, Range{-kPi, kPi}, "rad",
-           "The map's yaw of a robot for which the compass tells 0.");
+           "Yaw in the map frame of a robot whose compass reads 0.");
     option("heading_offset_std", heading_offset_std, Range{0, kPi}, "rad",
-           "Its standard deviation; pi: unknown, the compass helps once it was learned while "
-           "tracking.");
+           "Standard deviation of heading_offset; pi: unknown, it is learned while tracking.");
   }
 };
 
@@ -30,8 +29,8 @@ struct CompassOptions {
 ///
 /// and learns the offset where scans tell the pose, as a Kalman filter does. There it finds as well
 /// whether the compass is disturbed, by steel in a floor say: what scans explain, a compass does
-/// not gainsay. A disturbed one is not heard until it agrees again, or has gone on telling another
-/// offset for so long a way that this is the true one.
+/// not contradict. A disturbed one is not heard until it agrees again, or has gone on telling
+/// another offset for so long a way that this is the true one.
 class Compass {
  public:
   explicit Compass(const CompassOptions& options = {});

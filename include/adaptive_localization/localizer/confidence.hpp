@@ -23,17 +23,17 @@ struct ConfidenceOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("confidence_inlier_distance", confidence_inlier_distance, kPositive, "m",
-           "A hit nearer than this to an obstacle of the map agrees with it.");
+           "Largest distance from an obstacle of the map at which a hit agrees with it.");
     option("confidence_low_inliers", confidence_low_inliers, kProbability, "",
-           "Share of agreeing hits at which the scan does not fit at all.");
+           "Share of agreeing hits at which the fit is 0.");
     option("confidence_high_inliers", confidence_high_inliers, kProbability, "",
-           "Share of agreeing hits at which the scan fits fully.");
+           "Share of agreeing hits at which the fit is 1.");
     option("confidence_rate", confidence_rate, Range{1e-3, 1}, "",
            "Weight of the newest update in the running mean of the fit.");
     option("converged_std", converged_std, kPositiveDeviation, "m",
-           "A mode is one place if its position's standard deviation is below this.");
+           "Largest standard deviation of position at which a mode is a single place.");
     option("ambiguous_mass", ambiguous_mass, kProbability, "",
-           "A second mode of at least this mass makes the answer ambiguous.");
+           "Least mass of a second mode at which the status is ambiguous.");
   }
 };
 
@@ -57,7 +57,7 @@ class Confidence {
   void reset();
 
   /// Goes on from what another one has seen.
-  void goOnFrom(const Confidence& other);
+  void copyStateOf(const Confidence& other);
 
   /// Takes note of observations and the estimate made from them.
   void observe(const Estimate& estimate, const Observations& observations);
@@ -69,13 +69,13 @@ class Confidence {
   /// tells.
   std::optional<double> fitOf(const Pose2& T_map_base, const Observations& observations) const;
 
-  double value() const { return value_; }                 // [0, 1]
-  double latestFit() const { return latest_fit_; }        // of the newest scan alone
-  int contradictions() const { return contradictions_; }  // scans in a row with hardly any fit
-  double fit() const { return fit_ < 0.0 ? 0.0 : fit_; }  // [0, 1]
-  bool isGainsaid() const { return is_gainsaid_; }        // by another sense than the laser
-  bool isCompact() const { return compact_; }             // the heaviest mode is one place
-  bool isAmbiguous() const { return ambiguous_; }         // a second mode is nearly as heavy
+  double value() const { return value_; }                   // [0, 1]
+  double latestFit() const { return latest_fit_; }          // of the newest scan alone
+  int contradictions() const { return contradictions_; }    // scans in a row with hardly any fit
+  double fit() const { return fit_ < 0.0 ? 0.0 : fit_; }    // [0, 1]
+  bool isContradicted() const { return is_contradicted_; }  // by another sense than the laser
+  bool isCompact() const { return compact_; }               // the heaviest mode is one place
+  bool isAmbiguous() const { return ambiguous_; }           // a second mode is nearly as heavy
 
  private:
   ConfidenceOptions options_;
@@ -85,7 +85,7 @@ class Confidence {
   double latest_fit_{0.0};
   int contradictions_{0};
   double value_{0.0};
-  bool is_gainsaid_{false};
+  bool is_contradicted_{false};
   bool compact_{false};
   bool ambiguous_{false};
 };

@@ -122,7 +122,7 @@ class Localizer {
                     const Observations& observations);
   Estimate askCore(const Pose2& motion, const Observations& observations);
   void moveBelief();
-  void conclude(const Pose2& T_map_base);
+  void assess(const Pose2& T_map_base);
 
   SetupReader reader_;
   std::shared_ptr<const SetupReader> used_reader_;  // what follows may refer to its models

@@ -29,13 +29,13 @@ struct LocalizerOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("filter", filter, Choices{}, "Filter core, by name.");
-    option("preset", preset, Choices{"recommended", "seed", "fp"},
-           "Values of options that are not given: what we recommend, or the literature's; fp, of "
-           "mcl, is the particle filter that swarms were compared with.");
     option(
-        "amcl_compatibility", amcl_compatibility, Choices{"keep", "ignore_untuned"},
-        "Parameters of filter, laser and odometry that have amcl's usual values at the start: keep "
-        "them, or ignore them, as nobody tuned them and the defaults are more accurate.");
+        "preset", preset, Choices{"recommended", "seed", "fp"},
+        "Values of the options that are not given: recommended, or seed for those of the "
+        "literature; fp (mcl) for the particle filter that Araujo Neto 2019 compared swarms with.");
+    option("amcl_compatibility", amcl_compatibility, Choices{"keep", "ignore_untuned"},
+           "What becomes of parameters of filter, laser and odometry that equal amcl's usual "
+           "values at the start: keep, or ignore_untuned, as the defaults are more accurate.");
     option("plugins", plugins, Choices{},
            "Shared libraries with filter cores and models of your own, separated by colons.");
     option("seed", seed, kWhole, "", "Seed of all randomness.");
@@ -44,19 +44,17 @@ struct LocalizerOptions {
            "Distance to travel before the filter is updated.");
     option("update_min_a", update_min_a, kNotNegative, "rad",
            "Angle to turn before the filter is updated.");
-    option(
-        "update_budget", update_budget, kNotNegative, "ms",
-        "Time that searching the map may take in one update, on a core of 3 GHz; a search that "
-        "takes longer goes on with the next scans, and it takes longer until wrong places are "
-        "told from the right one. Counted in poses looked at, so that a slower machine finds the "
-        "same; 0: no limit. The first scan, and the one that checks an initial pose, are searched "
-        "for at once.");
+    option("update_budget", update_budget, kNotNegative, "ms",
+           "Time limit of map searches per update, in ms of a 3 GHz core; a longer search "
+           "continues with the next scans. It is counted in poses evaluated, so that results do "
+           "not depend on the machine; 0: no limit. The search at the first scan and the one that "
+           "verifies an initial pose are not limited.");
     option("recovery", recovery,
-           "Move the filter to the places that explain the scans once they rule out its own; "
-           "otherwise they only tell the status.");
-    option(
-        "refine", refine,
-        "Polish the filter's estimate by matching the scan with the map (no need with ekf_icp).");
+           "Move the filter to the hypotheses that explain the scans once they rule out its own "
+           "pose; otherwise they only set the status.");
+    option("refine", refine,
+           "Correct the filter's estimate by matching the scan with the map (not needed with "
+           "ekf_icp).");
   }
 };
 

@@ -43,23 +43,23 @@ struct ObservationOptions {
     option("laser_z_max", laser_z_max, kProbability, "", "Weight of a no-return (beam).");
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
     option("laser_sigma_hit", laser_sigma_hit, Range{0, 10}, "m",
-           "Standard deviation of a hit, of sensor and map together; 0: as the map looks, 0.04 m "
-           "where walls are thin, up to 0.2 m where they are thick and rough.");
+           "Standard deviation of a hit, of sensor and map together; 0: from the map's looks, 0.04 "
+           "m where walls are thin, up to 0.2 m where they are thick and rough.");
     option("laser_sigma_sparse", laser_sigma_sparse, Range{0, 10}, "m",
-           "The same, at least, while particles are so few for the region they cover that none may "
-           "be near the truth (likelihood fields).");
+           "Lower bound of laser_sigma_hit while particles are sparse: too few for the region they "
+           "cover to have one near the truth (likelihood fields).");
     option("laser_lambda_short", laser_lambda_short, kNotNegative, "1/m",
            "Decay of the share of short readings (beam).");
-    option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
-           "Hits farther than this, or than 5 m, from any obstacle count as this far (likelihood "
-           "fields).");
+    option(
+        "laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
+        "Distances of hits from obstacles are truncated to this, and to 5 m (likelihood fields).");
     option("effective_beams", effective_beams, kPositive, "",
-           "How many independent beams a scan is worth: beams see the same surfaces, so log "
-           "likelihoods are tempered to this number (likelihood_field, beam).");
+           "Number of independent beams that a scan is worth: beams see the same surfaces, so that "
+           "the log likelihood is tempered to this number (likelihood_field, beam).");
     option("do_beamskip", do_beamskip,
            "Leave out beams that few particles explain (likelihood_field_prob).");
     option("beam_skip_distance", beam_skip_distance, kNotNegative, "m",
-           "A particle explains a hit nearer than this to an obstacle.");
+           "Largest distance from an obstacle at which a particle explains a hit.");
     option("beam_skip_threshold", beam_skip_threshold, kProbability, "",
            "Share of particles that must explain a beam for it to be used.");
     option("beam_skip_error_threshold", beam_skip_error_threshold, kProbability, "",

@@ -3,12 +3,12 @@
 
 namespace adaptive_localization {
 
-/// An initial pose that somebody told, or nobody: when it has to be compared with other places
+/// An initial pose that was given, or none: when it has to be compared with other places
 /// again. At the first scan, and then on the way, ever farther apart.
-class ToldPose {
+class InitialPose {
  public:
-  ToldPose() = default;
-  explicit ToldPose(bool is_told) : is_unverified_(is_told), next_(is_told ? kFirst : 0.0) {}
+  InitialPose() = default;
+  explicit InitialPose(bool is_given) : is_unverified_(is_given), next_(is_given ? kFirst : 0.0) {}
 
   /// No scan could contradict it yet.
   bool isUnverified() const { return is_unverified_; }
@@ -21,7 +21,7 @@ class ToldPose {
     way_ += way;
   }
 
-  /// The robot is still about where it was told to be: from there no scan can tell more.
+  /// The robot is still near the initial pose: from there no scan can tell more.
   bool isFresh() const { return way_ < kFresh; }
 
   /// It was compared with all other places.
