@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../src/ros/pose_file.hpp"
+
+#include "fuzz/input_file.hpp"
+
+namespace al = adaptive_localization;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return al::tryFile(data, size, "pose.yaml", [](const auto& file) { al::readPoseFile(file); });
+}
