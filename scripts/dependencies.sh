@@ -11,10 +11,9 @@ ros="catkin libroscpp-dev librosbag-storage-dev libtopic-tools-dev libmessage-fi
   libsensor-msgs-dev libgeometry-msgs-dev libdiagnostic-msgs-dev libvisualization-msgs-dev
   libros-rosgraph-msgs-dev libtf2-msgs-dev libdynamic-reconfigure-config-init-mutex-dev"
 ros_tests="librostest-dev python3-dynamic-reconfigure python3-rospy python3-rostest python3-rosbag
-  python3-rosservice rosbash python3-tf2-ros python3-std-msgs python3-std-srvs
-  python3-nav-msgs python3-map-msgs python3-sensor-msgs python3-geometry-msgs python3-diagnostic-msgs
-  python3-visualization-msgs tf2-tools"
-ros_run="python3-roslaunch python3-rostopic ros-robot-state-publisher rviz"
+  python3-rosservice python3-tf2-ros python3-std-srvs python3-map-msgs tf2-tools"
+ros_run="python3-roslaunch rosbash python3-rostopic python3-std-msgs python3-nav-msgs python3-sensor-msgs
+  python3-geometry-msgs python3-diagnostic-msgs python3-visualization-msgs ros-robot-state-publisher rviz"
 
 noetic="catkin roscpp rosbag-storage topic-tools rosbag rostest roslaunch rospy rosservice rostopic rosbash
   message-filters tf2 tf2-ros tf2-geometry-msgs tf2-msgs std-msgs std-srvs nav-msgs map-msgs sensor-msgs geometry-msgs
