@@ -208,6 +208,31 @@ class Summarize(unittest.TestCase):
         self.assertIn("other:\n\n| case | core | runs | found |", table)
         self.assertEqual(table.count("both places at the end"), 1, "only one has such places")
 
+    def test_a_metric_of_ones_own_is_a_column_and_a_value(self):
+        with mock.patch.object(summarize, "METRICS", list(summarize.METRICS)):
+            @summarize.metric("end_error_m", "error at the end, m: median", "{:.3f}".format)
+            def _(row):
+                return row.trials.end_error_m.median()
+
+            @summarize.metric("scans_in_all", "scans in all")
+            def _(row):
+                return row.trials["scans"].sum()  # a number of numpy
+
+            @summarize.metric("nothing", "nothing", "{:.1f}".format)
+            def _(row):
+                return row.known.end_error_m.median()  # of none: nan
+            rows, table = self.summary(ten_runs())
+        self.assertEqual(rows[0]["end_error_m"], 0.1)
+        self.assertEqual(rows[0]["scans_in_all"], 1000)
+        self.assertIsNone(rows[0]["nothing"])
+        self.assertIn("| error at the end, m: median |", table)
+        self.assertNotIn("nothing", table)
+
+    def test_a_metric_has_a_name_of_its_own(self):
+        for key in ("case", summarize.METRICS[0][0]):
+            with self.assertRaisesRegex(ValueError, key):
+                summarize.metric(key)(len)
+
     def test_draws(self):
         code, _, errors = self.call(self.write(ten_runs()), "--plot", self.file("plot.png"))
         self.assertEqual(code, 0, errors)
