@@ -35,15 +35,20 @@ std::string usage() {
 )";
 }
 
-std::string rangeText(const Range& range) {
+/// For people: whole numbers as they are, of others four digits.
+std::string shortText(double number) {
   std::ostringstream text;
-  const bool bounded = range.high < std::numeric_limits<double>::infinity();
-  if (bounded) {
-    text << std::setprecision(4) << range.low << " to " << range.high;
-  } else if (range.low > -std::numeric_limits<double>::infinity()) {
-    text << ">= " << range.low;
-  }
+  const bool is_whole = number == std::floor(number) && std::abs(number) < 1e7;
+  text << std::setprecision(is_whole ? 7 : 4) << number;
   return text.str();
+}
+
+std::string rangeText(const Range& range) {
+  const bool is_limited = range.high < std::numeric_limits<double>::infinity() &&
+                          range.high != kWhole.high;  // all that an int can hold
+  if (is_limited) return shortText(range.low) + " to " + shortText(range.high);
+  const bool is_bounded = range.low > -std::numeric_limits<double>::infinity();
+  return is_bounded ? ">= " + shortText(range.low) : "";
 }
 
 /// The shortest text that reads back as the same number; other values as they are.
@@ -57,13 +62,9 @@ std::string exactText(const OptionValue& value) {
   return toText(value);
 }
 
-/// For people: four digits are enough.
 std::string shortText(const OptionValue& value) {
   const auto* number = std::get_if<double>(&value);
-  if (!number) return toText(value);
-  std::ostringstream text;
-  text << std::setprecision(4) << *number;
-  return text.str();
+  return number ? shortText(*number) : toText(value);
 }
 
 /// What may stand there: one of some words, or a range with its unit.

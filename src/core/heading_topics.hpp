@@ -23,11 +23,12 @@ struct HeadingTopics {
     option("magnetic_field_topic", magnetic_field_topic, Choices{},
            "Topic of a magnetometer (sensor_msgs/MagneticField); empty: none.");
     option("heading_topic", heading_topic, Choices{},
-           "Topic of a compass (geometry_msgs/QuaternionStamped); empty: none.");
+           "Topic of a compass (geometry_msgs/QuaternionStamped); it needs heading_std, as such "
+           "messages have none. Empty: none.");
     option("heading_std", heading_std, Range{0, kPi}, "rad",
-           "Standard deviation of a heading; 0: as the message says.");
+           "Standard deviation of a heading; 0: from the message's covariance.");
     option("turn_rate_std", turn_rate_std, Range{0, 10}, "rad/s",
-           "Standard deviation of a gyroscope's rate; 0: as the message says.");
+           "Standard deviation of a gyroscope's rate; 0: from the message's covariance.");
   }
 };
 

@@ -21,8 +21,8 @@ struct SonarTopics {
            "Topics with readings of sonars, separated by spaces or commas: sensor_msgs/Range, "
            "ROSARIA's sensor_msgs/PointCloud or p2os_msgs/SonarArray; empty: none.");
     option("sonar_frame_prefix", sonar_frame_prefix, Choices{},
-           "Frame of reading i in a message of all sonars: this prefix followed by i; x is the "
-           "axis of the cone.");
+           "Prefix of the tf frames of sonars that share a message: reading i, from 0, has the "
+           "frame with this prefix and i, whose x is the axis of the cone.");
     option("sonar_view", sonar_view, Range{0.01, kPi}, "rad",
            "Opening angle of a sonar's cone, where the message does not say.");
     option("sonar_max_range", sonar_max_range, Range{0.1, 100}, "m",

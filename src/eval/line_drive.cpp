@@ -9,6 +9,7 @@
 
 #include "adaptive_localization/filters/builtins.hpp"
 #include "core/suggestion.hpp"
+#include "localizer/former_options.hpp"
 #include "match/line_map.hpp"
 #include "sim/rasterize.hpp"
 #include "sim/simulation.hpp"
@@ -44,6 +45,7 @@ SimulationOptions robotOf(const LineDrivePlan& plan) {
 
 /// Given to both filters alike.
 FilterContext contextOf(const LineDrivePlan& plan, std::shared_ptr<const OccupancyGrid> map) {
+  refuseFormerOptions(plan.options);
   FilterContext context{builtins(), Ground(std::move(map)), plan.options};
   context.parameters.set("ekf_landmarks", OptionValue(std::string("lines")));
   context.parameters.set("line_map", OptionValue(plan.world));

@@ -28,8 +28,9 @@ struct EkfOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("ekf_landmarks", ekf_landmarks, Choices{"hits", "lines"},
-           "What corrects the pose: hits, by a scan match, or lines, the straight ones in scans "
-           "and sonar readings, by those of line_map.");
+           "What corrects the pose of ekf_icp: hits, matched with the map; lines, straight lines "
+           "found in scans and sonar readings, matched with the walls of line_map, which is then "
+           "required.");
     option("ekf_gate_probability", ekf_gate_probability, kProbability, "",
            "Probability that a right match passes the gate, a chi-square test of its distance from "
            "the prediction; 1: no gate.");

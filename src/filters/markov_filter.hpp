@@ -22,9 +22,10 @@ struct MarkovOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("markov_cell", markov_cell, Range{0.02, 10}, "m",
-           "Side of a cell of the belief; at least the side of the map's cells.");
+           "Side of a cell of the belief; smaller values are raised to the side of the map's cells "
+           "(markov).");
     option("markov_headings", markov_headings, Range{8, 720}, "",
-           "Headings in each cell of the belief.");
+           "Headings in each cell of the belief (markov).");
     option("markov_anywhere", markov_anywhere, Range{0, 1}, "",
            "Probability at each update that the robot was carried elsewhere; 0: only cells that "
            "may hold it are updated.");

@@ -21,7 +21,7 @@ struct ParticleFilterOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("resample_interval", resample_interval, Range{1, 1000}, "",
-           "Resample at every n-th update at the most.");
+           "Number of updates from one resampling to the next, at least.");
     option("selective_resampling", selective_resampling,
            "Resample only when the effective number of particles is below half of them.");
     option("min_effective_share", min_effective_share, kProbability, "",

@@ -26,7 +26,7 @@ struct SwarmFilterOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("swarm_size", swarm_size, Range{2, 1000000}, "",
-           "Searchers of the swarm at the most; swarm_budget may allow fewer.");
+           "Largest number of searchers (lbba, ba, pso); swarm_budget may allow fewer.");
     option("swarm_fix_deviation", swarm_fix_deviation, kNotNegative, "m",
            "The swarm searches when the position's standard deviation by odometry exceeds this or "
            "a scan is not explained; 0: at every update.");

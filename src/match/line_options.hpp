@@ -21,7 +21,8 @@ struct LineOptions {
     option("line_range_std", line_range_std, kPositiveDeviation, "m",
            "Standard deviation of the laser's ranges when lines are found.");
     option("line_sonar_std", line_sonar_std, kPositiveDeviation, "m",
-           "Standard deviation of sonar ranges when lines are found; 1 % of the range is added.");
+           "Standard deviation of sonar ranges when lines are found; 1 % of the measured range is "
+           "added to it.");
     option("line_map_std", line_map_std, kDeviation, "m",
            "Standard deviation of the error that all hits of a line share: of the map's wall and "
            "the laser's offset.");

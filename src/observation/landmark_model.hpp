@@ -33,9 +33,10 @@ struct LandmarkOptions {
            "Share of sightings that are of no landmark.");
     option("landmark_miss_share", landmark_miss_share, kProbability, "",
            "Share of the landmarks in view that are not sighted; used with landmark_max_range.");
-    option("landmark_max_range", landmark_max_range, kNotNegative, "m",
-           "A landmark in view, nearer than this and not hidden by a wall should be sighted; 0: a "
-           "missing sighting tells nothing.");
+    option(
+        "landmark_max_range", landmark_max_range, kNotNegative, "m",
+        "Range within which a landmark that is in view and not hidden by a wall should be sighted; "
+        "if it is not, that counts against the pose. 0: missing sightings are ignored.");
     option("landmark_view", landmark_view, Range{0.0, 2.0 * kPi}, "rad",
            "Angle of view in which landmarks are sighted, centred straight ahead.");
   }

@@ -17,8 +17,8 @@ struct SonarOptions {
   template <class Visitor>
   void visit(Visitor&& option) {
     option("sonar_sigma", sonar_sigma, Range{0.005, 2}, "m",
-           "Standard deviation of a sonar's range, of sensor and map together; 1 % of the range is "
-           "added.");
+           "Standard deviation of a sonar's range, errors of sensor and map combined; 1 % of the "
+           "measured range is added to it.");
     option("sonar_false_share", sonar_false_share, Range{0.01, 0.99}, "",
            "Share of readings that are of nothing on the map: mirrored, of another sonar's ping, "
            "of people.");

@@ -74,9 +74,11 @@ struct NodeOptions {
     option("tf_rate", tf_rate, Range{0, 1000}, "Hz",
            "Rate of the transform from map to odom; 0: one with each scan.");
     option("save_pose_rate", save_pose_rate, Range{-1, 1000}, "Hz",
-           "How often the pose is kept in initial_pose_* and initial_cov_*; not above 0: never.");
+           "Rate at which the pose is saved to the parameters initial_pose_* and initial_cov_*; 0 "
+           "or less: never.");
     option("pose_file", pose_file, Choices{},
-           "File in which the pose is kept too; where it exists, the robot starts there.");
+           "File in which the pose is also saved. If it exists at the start, its pose takes "
+           "precedence over start and initial_pose_*; empty: none.");
     option("force_update_after_initialpose", force_update_after_initialpose,
            "After an initial pose, use a second scan whether the robot moved or not.");
     option("force_update_after_set_map", force_update_after_set_map,
@@ -88,8 +90,8 @@ struct NodeOptions {
     option("std_warn_level_yaw", std_warn_level_yaw, kNotNegative, "rad",
            "Standard deviation in yaw above which /diagnostics warns.");
     option("start", start, Choices{"pose", "anywhere", "wait"},
-           "Initial belief of the node: the pose initial_pose_*, anywhere on the map, or none "
-           "before an initialpose.");
+           "pose: initial_pose_*; anywhere: the whole map; wait: none until a message on "
+           "initialpose.");
     option("initial_pose_x", initial_pose_x, kCoordinate, "m", "Pose to start at, x.");
     option("initial_pose_y", initial_pose_y, kCoordinate, "m", "Pose to start at, y.");
     option("initial_pose_a", initial_pose_a, kCoordinate, "rad", "Pose to start at, yaw.");

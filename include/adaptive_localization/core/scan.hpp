@@ -84,8 +84,8 @@ struct ScanOptions {
     option("laser_max_range", laser_max_range, Range{-1, 1000}, "m",
            "Longer readings are no-returns; -1: as the scan message says.");
     option("reflector_intensity", reflector_intensity, kNotNegative, "",
-           "Hits of at least this intensity are unidentified landmarks of the landmark_map; 0: "
-           "scans have none.");
+           "Hits of at least this intensity are sightings of landmarks of the landmark_map, "
+           "without identity; 0: intensities are not used.");
     option("deskew", deskew,
            "Correct scans for the robot's motion between the first beam and the last.");
   }

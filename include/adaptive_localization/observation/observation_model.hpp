@@ -50,12 +50,13 @@ struct ObservationOptions {
            "cover to have one near the truth (likelihood fields).");
     option("laser_lambda_short", laser_lambda_short, kNotNegative, "1/m",
            "Decay of the share of short readings (beam).");
-    option(
-        "laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
-        "Distances of hits from obstacles are truncated to this, and to 5 m (likelihood fields).");
+    option("laser_likelihood_max_dist", laser_likelihood_max_dist, Range{1e-3, 50}, "m",
+           "Distances of hits from obstacles are truncated to this; above 5 m it has no further "
+           "effect (likelihood fields).");
     option("effective_beams", effective_beams, kPositive, "",
-           "Number of independent beams that a scan is worth: beams see the same surfaces, so that "
-           "the log likelihood is tempered to this number (likelihood_field, beam).");
+           "Largest number of independent beams that a scan counts as: neighbouring beams share "
+           "errors, and the log likelihood is scaled down to it. With a smaller number scans weigh "
+           "less (likelihood_field, beam).");
     option("do_beamskip", do_beamskip,
            "Leave out beams that few particles explain (likelihood_field_prob).");
     option("beam_skip_distance", beam_skip_distance, kNotNegative, "m",
