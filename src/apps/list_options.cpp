@@ -2,7 +2,6 @@
 // Prints every option there is, as tables for doc/options.md or as a parameter file of one core.
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
@@ -206,8 +205,8 @@ void printCfg() {
 
 struct ListCommand {
   bool is_cfg{false};
-  std::string core;  // empty: all options
-  std::string preset{"recommended"};
+  std::string core;    // empty: all options
+  std::string preset;  // empty: recommended
   bool wants_help{false};
 };
 
@@ -218,13 +217,19 @@ ListCommand parse(const std::vector<std::string>& arguments) {
   parser.text("--yaml", command.core);
   parser.text("--preset", command.preset);
   command.wants_help = !parser.parse(arguments);
+  if (command.is_cfg && !command.core.empty()) {
+    throw std::invalid_argument("--cfg and --yaml exclude each other");
+  }
+  if (!command.preset.empty() && command.core.empty()) {
+    throw std::invalid_argument("--preset needs --yaml CORE");
+  }
   return command;
 }
 
 void list(const ListCommand& command) {
   if (command.is_cfg) return printCfg();
   if (command.core.empty()) return printTables();
-  printYaml(command.core, command.preset);
+  printYaml(command.core, command.preset.empty() ? "recommended" : command.preset);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "core/suggestion.hpp"
 #include "eval/arguments.hpp"
+#include "localizer/former_options.hpp"
 #include "map/evidence_models.hpp"
 
 namespace adaptive_localization {
@@ -34,6 +35,7 @@ void setPoses(const std::string& name, SonarMapCommand& command) {
 
 /// A robot with sonars, unless something else is said.
 void readOptions(Parameters options, SonarMapCommand& command) {
+  refuseFormerOptions(options);
   Parameters usual;
   usual.set("sonars", OptionValue{true});
   usual.set("lasers", OptionValue{0});

@@ -8,24 +8,26 @@
 namespace adaptive_localization {
 namespace {
 
-/// Old names, and what was expected instead.
+/// Removed options, and what does their work now.
 const std::map<std::string, std::string>& formerOptions() {
   static const std::map<std::string, std::string> table{
-      {"bat_leap_size", "nothing: it is always 0.1"},
-      {"bat_loudness_decay", "nothing: it is always 0.9"},
-      {"bat_pulse_growth", "nothing: it is always 0.9"},
-      {"ekf_cloud", "'cloud_particles'"},
-      {"ekf_gate", "'ekf_gate_probability', 0.99 for 11.34"},
-      {"line_gate", "nothing: 99 % of the right lines are within it"},
-      {"line_lead", "nothing: it is always 4"},
-      {"line_least_inliers", "nothing: it is always 0.2"},
-      {"line_split", "nothing: it is always 4"},
-      {"markov_cloud", "'cloud_particles'"},
-      {"match_keep", "nothing: the share is found for each scan"},
-      {"place_deviation_theta", "nothing: it is always 0.0524 rad"},
-      {"place_deviation_xy", "nothing: it is always 0.1 m"},
-      {"place_error_scale", "nothing: it is always 0.02 m"},
-      {"swarm_truncation", "nothing: it is always 0.25 m"}};
+      {"bat_leap_size", "it is always 0.1"},
+      {"bat_loudness_decay", "it is always 0.9"},
+      {"bat_pulse_growth", "it is always 0.9"},
+      {"ekf_cloud", "it is 'cloud_particles' now"},
+      {"ekf_gate", "it is 'ekf_gate_probability' now, 0.99 for 11.34"},
+      {"evidence_free", "it is always 0.35"},
+      {"evidence_occupied", "it is always 0.65"},
+      {"line_gate", "99 % of the right lines pass its gate"},
+      {"line_lead", "it is always 4"},
+      {"line_least_inliers", "it is always 0.2"},
+      {"line_split", "it is always 4"},
+      {"markov_cloud", "it is 'cloud_particles' now"},
+      {"match_keep", "the share is found for each scan"},
+      {"place_deviation_theta", "it is always 0.0524 rad"},
+      {"place_deviation_xy", "it is always 0.1 m"},
+      {"place_error_scale", "it is always 0.02 m"},
+      {"swarm_truncation", "it is always 0.25 m"}};
   return table;
 }
 
@@ -36,7 +38,7 @@ void refuseFormerOptions(const Parameters& parameters) {
     const auto former = formerOptions().find(key);
     if (former == formerOptions().end()) continue;
     throw std::invalid_argument("option '" + key + "': got " + toText(value) +
-                                ", but it is no more; expected " + former->second);
+                                ", but this option was removed: " + former->second);
   }
 }
 

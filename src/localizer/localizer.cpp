@@ -163,8 +163,8 @@ void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
 }
 
 /// What the core makes of motion and observations, refined by a match. Where the localizer
-/// recovers, what stands before the laser is kept from the core, and from any core an occluded laser
-/// where other senses tell.
+/// recovers, what stands before the laser is kept from the core, and from any core an occluded
+/// laser where other senses tell.
 Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   Observations seen = observations;

@@ -165,7 +165,8 @@ TEST_F(LineDriveProgram, NamesWhatItCannotTake) {
   expectRejected({world_, "--seconds", "0"}, "--seconds");
   expectRejected({world_, "--set", "line_overlap"}, "expected KEY=VALUE");
   expectRejected({world_, "--set", "line_overlp=1"}, "did you mean 'line_overlap'");
-  expectRejected({world_, "--set", "line_gate=1"}, "'line_gate': got 1, but it is no more");
+  expectRejected({world_, "--set", "line_gate=1"},
+                 "'line_gate': got 1, but this option was removed");
   expectRejected({world_, "--robot", "peple=1"}, "did you mean 'people'");
   expectRejected({world_, "--robot", "lasers=0"}, "'lasers'");
   expectRejected({world_, "--seconds", "1", "--json", "/nosuch/x.json"}, "/nosuch/x.json");

@@ -110,6 +110,7 @@ TEST_F(SonarMapProgram, NamesWhatIsWrong) {
     EXPECT_THAT(result.errors, AllOf(StartsWith("sonar_map: "), HasSubstr(why)));
   };
   expectError(runProgram(SONAR_MAP, {"--world", "/none.yaml"}), "'/none.yaml'");
+  expectError(run({"evidence_free:=0.2"}), "it is always 0.35");
   expectError(run({"sonars:=false"}), "option 'sonars': got false, expected true");
   expectError(run({"--truth", "/none.yaml"}), "'/none.yaml'");
   expectError(run({"start:=99,99,0"}), "option 'start': got 99");

@@ -21,8 +21,8 @@ Parameters with(const std::string& key, double value) {
 TEST(FormerOptions, AreRefusedWithTheNewName) {
   EXPECT_THAT([] { refuseFormerOptions(with("ekf_gate", 9.0)); },
               ThrowsMessage<std::invalid_argument>(
-                  HasSubstr("option 'ekf_gate': got 9, but it is no more; expected "
-                            "'ekf_gate_probability'")));
+                  HasSubstr("option 'ekf_gate': got 9, but this option was removed: it is "
+                            "'ekf_gate_probability' now")));
   EXPECT_THAT([] { refuseFormerOptions(with("match_keep", 0.5)); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("'match_keep'")));
 }

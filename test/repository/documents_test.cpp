@@ -136,6 +136,8 @@ TEST(Documents, FieldsOfDynamicReconfigureAreUpToDate) {
 }
 
 TEST(Documents, ListOptionsRefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(outputOf("--preset seed"), testing::HasSubstr("--preset needs --yaml CORE"));
+  EXPECT_THAT(outputOf("--cfg --yaml kld"), testing::HasSubstr("exclude each other"));
   EXPECT_THAT(outputOf("--yaml nosuch"), HasSubstr("'nosuch'"));
   EXPECT_THAT(outputOf("--yaml kld --preset nosuch"), HasSubstr("'nosuch'"));
   EXPECT_THAT(outputOf("--nosuch"), HasSubstr("usage:"));
