@@ -28,6 +28,7 @@ void ParticleFilter::reset(const Prior& prior) {
   const auto* cloud = std::get_if<Particles>(&prior);
   taken_over_ = cloud && cloud->size() > 0;
   anywhere_ = false;
+  moved_.reset();
   if (taken_over_) {
     particles_ = *cloud;
     particles_.log_weight = normalisedWeights(cloud->log_weight).log();
@@ -55,8 +56,8 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
     drawElsewhere(parts_.size->initial(*parts_.elsewhere, rng_));
     parts_.size->observe(particles_);
     anywhere_ = false;
-  } else if (isPlausible(motion)) {
-    parts_.motion->propagate(motion, particles_, rng_);
+  } else {
+    move(motion);
   }
   const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = weights.log();
@@ -70,7 +71,14 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
     resample(weights, elsewhere);
     estimate.share_elsewhere = elsewhere;
   }
+  moved_.reset();
   return estimate;
+}
+
+void ParticleFilter::move(const Pose2& motion) {
+  const Pose2 rest = moved_ ? between(*moved_, motion) : motion;
+  if (isPlausible(rest)) parts_.motion->propagate(rest, particles_, rng_);
+  moved_ = motion;
 }
 
 Estimate ParticleFilter::estimate() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
@@ -56,6 +57,7 @@ class ParticleFilter : public Filter {
 
  private:
   void drawElsewhere(Eigen::Index count);
+  void move(const Pose2& motion);
 
   /// The particles' weights after the observations, normalised.
   Eigen::ArrayXd weigh(const Observations& observations);
@@ -66,6 +68,7 @@ class ParticleFilter : public Filter {
   ParticleFilterParts parts_;
   Rng rng_;
   Particles particles_;
+  std::optional<Pose2> moved_;  // by an update that failed, and is to be made again
   int updates_since_resampling_{0};
   bool anywhere_{false};    // and no scan has told yet where to look
   bool taken_over_{false};  // from another filter, with its number of particles

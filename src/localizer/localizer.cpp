@@ -122,7 +122,6 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
     const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base * slip;
     const Pose2 T_map_base =
         setup_.options.recovery ? recovery_->published(by_odometry, last_.estimate) : T_map_core;
-    T_odom_base_at_update_ = T_odom_base;
     last_.T_map_odom = T_map_base * inverse(T_odom_base);
     assess(T_map_base);
     update_requested_ = false;
@@ -148,11 +147,19 @@ Observations Localizer::forCores(const Pose2& T_odom_base, Observations observat
   return observations;
 }
 
+/// Once the core has moved, the motion is done with, even if memory runs out thereafter.
 void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
                              const Observations& observations) {
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   const Observations on_map = forCores(T_odom_base, observations);
-  last_.estimate = askCore(motion, on_map);
+  const Observations seen = evidenceOf(T_map_base_expected, on_map);
+  last_.estimate = finite(filter_->update(motion, seen));
+  if (!T_odom_base_at_update_) {
+    last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
+  }
+  T_odom_base_at_update_ = T_odom_base;
+  recovery_->ride(motion);
+  refine(motion, seen, on_map.scan);
   recovery_->observe(motion, T_map_base_expected, last_.estimate, on_map);
   if (observations.heading && recovery_->knowsByScans()) {
     compass_.compare(*observations.heading, last_.estimate.T_map_base.theta,
@@ -162,24 +169,26 @@ void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
   last_.updated = true;
 }
 
-/// What the core makes of motion and observations, refined by a match. Where the localizer
-/// recovers, what stands before the laser is kept from the core, and from any core an occluded
-/// laser where other senses tell.
-Estimate Localizer::askCore(const Pose2& motion, const Observations& observations) {
-  const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
+/// What a core is given. Where the localizer recovers, what stands before the laser is kept from
+/// the core, and from any core an occluded laser where other senses tell.
+Observations Localizer::evidenceOf(const Pose2& T_map_base,
+                                   const Observations& observations) const {
   Observations seen = observations;
   if (setup_.options.recovery) {
-    seen.scan = recovery_->evidenceOf(T_map_base_expected, seen.scan);
+    seen.scan = recovery_->evidenceOf(T_map_base, seen.scan);
   } else if (recovery_->canReplaceScan(observations)) {
     seen.scan = {};
   }
-  const Estimate estimate = finite(filter_->update(motion, seen));
-  const bool is_refined = refiner_ && !filter_->match();
-  const Estimate answer = is_refined ? refiner_->refine(estimate, motion, seen) : estimate;
-  const Match* match = is_refined ? refiner_->match() : filter_->match();
+  return seen;
+}
+
+/// The core's estimate, by a match of what it saw.
+void Localizer::refine(const Pose2& motion, const Observations& seen, const Scan& whole) {
   match_.reset();
-  if (match) match_ = ofWholeScan(*match, seen.scan, observations.scan);
-  return answer;
+  const bool is_refined = refiner_ && !filter_->match();
+  if (is_refined) last_.estimate = refiner_->refine(last_.estimate, motion, seen);
+  const Match* match = is_refined ? refiner_->match() : filter_->match();
+  if (match) match_ = ofWholeScan(*match, seen.scan, whole);
 }
 
 /// About the pose that is published as of the last update.

@@ -66,11 +66,7 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
              : scan;
 }
 
-void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
-                       const Estimate& estimate, const Observations& all) {
-  const Observations observations = withoutCover(all);
-  const Pose2& T_map_base = estimate.T_map_base;
-  confidence_.observe(estimate, tells(observations) ? observations : all);
+void Recovery::ride(const Pose2& motion) {
   hypotheses_.ride(motion);
   doubted_.ride(motion);
   way_ += wayOf(motion);
@@ -81,6 +77,13 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   pace_.travel(wayOf(motion));
   initial_pose_.travel(wayOf(motion));
   odds_.checkJump(motion);
+}
+
+void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
+                       const Estimate& estimate, const Observations& all) {
+  const Observations observations = withoutCover(all);
+  const Pose2& T_map_base = estimate.T_map_base;
+  confidence_.observe(estimate, tells(observations) ? observations : all);
   scan_fits_ = false;
   if (!tells(observations)) {
     ground_.places->askAnew();

@@ -52,8 +52,11 @@ class Recovery {
     return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction;
   }
 
+  /// The robot drove so far since the last update: what is known of it moves along.
+  void ride(const Pose2& motion);
+
   /// Takes note of an update of the core: the motion since the last one, where odometry expected
-  /// the robot to be, and what the core made of the observations.
+  /// the robot to be, and what the core made of the observations. ride() comes before.
   void observe(const Pose2& motion, const Pose2& T_map_base_expected, const Estimate& estimate,
                const Observations& observations);
 

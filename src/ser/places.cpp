@@ -11,6 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kKept = 4;  // grids, for robots with several lasers
+constexpr int kShortestPause = 8, kLongestPause = 1024;  // scans that ask for a grid
 
 /// Drivers alternate between 180 and 181 beams, mounts move a little: a grid made for one does for
 /// the other.
@@ -90,10 +91,12 @@ void Places::poll() {
   if (auto outcome = building_.poll()) take(std::move(*outcome));
 }
 
-/// Without memory for a grid there is none, and the rest goes on.
+/// Without memory for a grid there is none, and the rest goes on; it is tried again ever more
+/// seldom.
 void Places::take(Outcome<Entry> outcome) {
-  failed_ = !outcome.value;
-  if (failed_) {
+  pause_ = outcome.value ? 0 : std::clamp(2 * pause_, kShortestPause, kLongestPause);
+  asks_left_ = pause_;
+  if (!outcome.value) {
     warn("energy grid: cannot be made, no other places are known: " + outcome.error);
   } else {
     keep(std::move(*outcome.value));
@@ -111,11 +114,11 @@ const Places::Entry* Places::entryFor(const Scan& scan) {
   for (const Entry& entry : entries_) {
     if (suits(entry.geometry, geometry)) return &entry;
   }
-  if (building_.isRunning() || failed_) return nullptr;
+  if (building_.isRunning() || asks_left_-- > 0) return nullptr;
   auto ranges = rangesFor(geometry);
   if (build_ == Build::kAtOnce) {
     take(outcomeOf([&] { return make(geometry, ranges, {}); }));
-    return failed_ ? nullptr : &entries_.back();
+    return pause_ > 0 ? nullptr : &entries_.back();
   }
   building_.start(
       [this, geometry, ranges](const StopToken& stop) { return make(geometry, ranges, stop); });
@@ -128,7 +131,7 @@ std::shared_ptr<const EnergyGrid> Places::energyGrid(const Scan& scan) {
 }
 
 bool Places::isReadyFor(const Scan& scan) {
-  return entryFor(scan) || failed_ || !entries_.empty();
+  return entryFor(scan) || pause_ > 0 || !entries_.empty();
 }
 
 void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {

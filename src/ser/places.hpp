@@ -112,7 +112,8 @@ class Places {
   Build build_;
   std::vector<Entry> entries_;
   std::vector<std::string> warnings_;  // to be taken
-  bool failed_{false};
+  int pause_{0};      // after a grid that could not be made; 0 if it could:
+  int asks_left_{0};  // so many scans that ask for one until it is tried again
   std::set<std::string> said_;            // all warnings
   Pose2 T_odom_base_;                     // at this update
   double way_{0.0};                       // m or rad, since the question

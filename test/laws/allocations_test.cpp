@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How often an update allocates memory while the robot is tracked: some dozen times, however many
 // particles there are, and it keeps none of it.
+#include "support/allocations.hpp"
+
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cerrno>
 #include <cstdlib>
 #include <memory>
 #include <set>
@@ -13,49 +13,6 @@
 #include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "support/toy_drive.hpp"
-
-// Sanitizers have an allocator of their own; other C libraries have no names for theirs.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define COUNTS_ALLOCATIONS
-
-namespace {
-std::atomic<long> taken{0}, given_back{0};
-}
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* memory, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-void __libc_free(void* memory);
-
-void* malloc(std::size_t size) noexcept {
-  ++taken;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  ++taken;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) noexcept {
-  if (!memory) ++taken;
-  return __libc_realloc(memory, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  ++taken;
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-  ++taken;
-  *memory = __libc_memalign(alignment, size);
-  return *memory ? 0 : ENOMEM;
-}
-void free(void* memory) noexcept {
-  if (memory) ++given_back;
-  __libc_free(memory);
-}
-}
-#endif
 
 namespace adaptive_localization {
 namespace {
@@ -69,6 +26,8 @@ struct Counts {
 
 /// Allocations in the second half of a drive.
 Counts countOf(const std::string& filter, int particles) {
+  using allocations::given_back;
+  using allocations::taken;
   const auto map = asymmetricWorld();
   const std::vector<ToyStep> drive = toyDrive(map, 1, 61);
   Parameters parameters;

@@ -37,6 +37,7 @@ struct Watched {
 
   void observe(const Observations& seen, const Pose2& core, const Pose2& motion = {}) {
     const Eigen::Matrix3d covariance = Eigen::Vector3d(1e-3, 1e-3, 1e-3).asDiagonal();
+    recovery.ride(motion);
     recovery.observe(motion, believed * motion, {core, covariance, {{core, covariance, 1.0}}},
                      seen);
     believed = core;

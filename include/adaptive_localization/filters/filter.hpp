@@ -24,7 +24,9 @@ struct FilterContext {
 /// A localization filter, chosen by name (Registries).
 ///
 /// Given the same context and calls, it gives the same bits, for any number of threads.
-/// update never throws and never returns a number that is not finite, whatever it is given.
+/// update never throws, but where memory runs out, and never returns a number that is not finite,
+/// whatever it is given. One that threw is as if it had not been called: the motion of the next one
+/// is that since the last one that did not.
 class Filter {
  public:
   virtual ~Filter() = default;

@@ -120,7 +120,8 @@ class Localizer {
   Observations forCores(const Pose2& T_odom_base, Observations observations) const;
   void updateBelief(const Pose2& motion, const Pose2& T_odom_base,
                     const Observations& observations);
-  Estimate askCore(const Pose2& motion, const Observations& observations);
+  Observations evidenceOf(const Pose2& T_map_base, const Observations& observations) const;
+  void refine(const Pose2& motion, const Observations& seen, const Scan& whole);
   void moveBelief();
   void assess(const Pose2& T_map_base);
 
