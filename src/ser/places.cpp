@@ -10,7 +10,7 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr std::size_t kKept = 4;  // grids, for robots with several lasers
+constexpr std::size_t kKept = 4;                         // grids, for robots with several lasers
 constexpr int kShortestPause = 8, kLongestPause = 1024;  // scans that ask for a grid
 
 /// Drivers alternate between 180 and 181 beams, mounts move a little: a grid made for one does for
