@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
+#include "core/whole_file.hpp"
 #include "json.hpp"
 
 namespace adaptive_localization {
@@ -99,7 +98,7 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
 }
 
 void saveScans(const RunRecord& run, const std::string& file) {
-  std::ofstream output(file);
+  std::ostringstream output;
   output << "stamp,x,y,yaw,deviation,status,confidence,fit,modes,particles,updated,update_ms,"
             "odom_x,odom_y,odom_yaw,reference_x,reference_y,reference_yaw\n"
          << std::setprecision(15);
@@ -118,8 +117,7 @@ void saveScans(const RunRecord& run, const std::string& file) {
       output << ",,\n";
     }
   }
-  output.flush();
-  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
+  writeWholeFile(file, output.str());
 }
 
 nlohmann::json toJson(const std::vector<RunView>& views) {
@@ -146,10 +144,7 @@ nlohmann::json toJson(const std::vector<RunView>& views) {
 }
 
 void saveJson(const nlohmann::json& json, const std::string& file) {
-  std::ofstream output(file);
-  output << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  output.flush();
-  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
+  writeWholeFile(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace adaptive_localization

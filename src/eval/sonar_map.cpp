@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "adaptive_localization/map/map_io.hpp"
+#include "core/whole_file.hpp"
 #include "map/evidence_models.hpp"
 #include "sim/rasterize.hpp"
 
@@ -72,15 +73,14 @@ SonarMap makeSonarMap(const std::string& model, const EvidenceOptions& options,
 
 void saveProbabilities(const EvidenceGrid& grid, const std::string& file) {
   const Lattice& lattice = grid.lattice();
-  std::ofstream output(file, std::ios::binary);
+  std::ostringstream output;
   output << "P5\n" << lattice.width() << ' ' << lattice.height() << "\n255\n";
   for (int y = lattice.height() - 1; y >= 0; --y) {
     for (int x = 0; x < lattice.width(); ++x) {
       output.put(static_cast<char>(std::lround(255.0 * (1.0 - grid.probability({x, y})))));
     }
   }
-  output.flush();
-  if (!output) throw std::runtime_error("file '" + file + "': cannot be written");
+  writeWholeFile(file, output.str());
 }
 
 std::string toTable(const std::vector<SonarMap>& maps) {

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/whole_file.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -101,10 +103,9 @@ void writeTum(const std::vector<StampedPose>& poses, std::ostream& output) {
 }
 
 void saveTum(const std::vector<StampedPose>& poses, const std::string& file) {
-  std::ofstream output(file);
+  std::ostringstream output;
   writeTum(poses, output);
-  output.flush();
-  if (!output) throw std::runtime_error("trajectory '" + file + "': cannot be written");
+  writeWholeFile(file, output.str());
 }
 
 }  // namespace adaptive_localization

@@ -4,13 +4,14 @@
 #include <yaml-cpp/yaml.h>
 
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "core/whole_file.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -172,18 +173,6 @@ std::string besides(const std::string& yaml_file, const std::string& name) {
   return slash == std::string::npos ? name : yaml_file.substr(0, slash + 1) + name;
 }
 
-/// The file is there as a whole or not at all.
-void writeFile(const std::string& file, const std::string& contents) {
-  const std::string part = file + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << contents;
-  out.close();
-  if (!out || std::rename(part.c_str(), file.c_str()) != 0) {
-    std::remove(part.c_str());
-    throw std::runtime_error("cannot write '" + file + "'");
-  }
-}
-
 }  // namespace
 
 OccupancyGrid loadMap(const std::string& yaml_file) {
@@ -223,8 +212,8 @@ void saveMap(const OccupancyGrid& grid, const std::string& base) {
   yaml << "image: " << YAML::Dump(YAML::Node(name)) << "\nresolution: " << lattice.resolution()
        << "\norigin: [" << origin.x << ", " << origin.y << ", " << origin.theta
        << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  writeFile(base + ".pgm", image.str());
-  writeFile(base + ".yaml", yaml.str());
+  writeWholeFile(base + ".pgm", image.str());
+  writeWholeFile(base + ".yaml", yaml.str());
 }
 
 }  // namespace adaptive_localization

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
-#include <system_error>
 
 #include "adaptive_localization/core/options.hpp"
+#include "core/whole_file.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-[[noreturn]] void fail(const std::string& path) {
-  throw std::runtime_error(path + ": " + std::generic_category().message(errno));
-}
 
 /// Like a node's initial pose, but nothing goes without saying.
 struct PoseOptions {
@@ -57,19 +49,12 @@ std::optional<Gaussian2> readPoseFile(const std::string& path) {
 
 void writePoseFile(const std::string& path, const Gaussian2& pose) {
   char text[400];
-  const int size =
-      std::snprintf(text, sizeof text,
-                    "initial_pose_x: %.9g\ninitial_pose_y: %.9g\ninitial_pose_a: %.9g\n"
-                    "initial_cov_xx: %.9g\ninitial_cov_yy: %.9g\ninitial_cov_aa: %.9g\n",
-                    pose.mean.x, pose.mean.y, pose.mean.theta, pose.covariance(0, 0),
-                    pose.covariance(1, 1), pose.covariance(2, 2));
-  const std::string part = path + ".part";
-  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) fail(part);
-  const bool written =
-      ::write(file, text, static_cast<std::size_t>(size)) == size && ::fsync(file) == 0;
-  if (::close(file) != 0 || !written) fail(part);
-  if (std::rename(part.c_str(), path.c_str()) != 0) fail(path);
+  std::snprintf(text, sizeof text,
+                "initial_pose_x: %.9g\ninitial_pose_y: %.9g\ninitial_pose_a: %.9g\n"
+                "initial_cov_xx: %.9g\ninitial_cov_yy: %.9g\ninitial_cov_aa: %.9g\n",
+                pose.mean.x, pose.mean.y, pose.mean.theta, pose.covariance(0, 0),
+                pose.covariance(1, 1), pose.covariance(2, 2));
+  writeWholeFile(path, text);
 }
 
 }  // namespace adaptive_localization
