@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hours of a robot's life as fast as the processor goes: whether memory, latency or errors grow.
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include "adaptive_localization/localizer/localizer.hpp"
+#include "adaptive_localization/map/map_io.hpp"
+#include "eval/arguments.hpp"
+#include "eval/experiment_drive.hpp"
+#include "eval/program.hpp"
+#include "eval/start.hpp"
+#include "eval/statistics.hpp"
+#include "eval/stopwatch.hpp"
+#include "support/resident_memory.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+constexpr char kUsage[] =
+    "usage: soak [options]\n\n"
+    "A simulated robot drives for hours in an office with five people. It is carried away every\n"
+    "5 minutes, the map changes every 11 minutes (with desks moved, and back), an option every 7.\n"
+    "Prints a row for each hour. Ends with 1 if memory grows by more than 2 % after the first "
+    "hour,\n"
+    "or latency by more than half.\n\n"
+    "  --filter NAME  the core (default sa_kld)\n"
+    "  --hours N      of the drive (default 10)\n"
+    "  --seed N       of all that is random (default 1)\n"
+    "  --help         print this\n";
+constexpr double kHour = 3600.0, kKidnap = 300.0, kMapChange = 660.0, kReconfigure = 420.0;  // s
+constexpr double kFar = 0.5, kTurned = 20.0 * kPi / 180.0;  // of a wrong pose, m and rad
+constexpr double kMostGrowth = 1.02, kMostDelay = 1.5;
+
+struct Command {
+  std::string filter{"sa_kld"};
+  int hours{10};
+  int seed{1};
+  bool wants_help{false};
+};
+
+Command parse(const std::vector<std::string>& arguments) {
+  Command command;
+  ArgumentParser parser;
+  parser.text("--filter", command.filter);
+  parser.option("--hours", [&](const auto& v) { command.hours = toCount("--hours", v, 1000); });
+  parser.option("--seed", [&](const auto& v) { command.seed = toSeed("--seed", v); });
+  command.wants_help = !parser.parse(arguments);
+  return command;
+}
+
+ExperimentCase lifeOf(const Command& command) {
+  ExperimentCase life;
+  life.world = SOURCE_DIR "/maps/office/world.yaml";
+  life.map = SOURCE_DIR "/maps/office/map.yaml";
+  life.route.emplace();  // at random
+  life.simulation.set("drive", true);
+  life.simulation.set("people", 5);
+  life.duration = command.hours * kHour;
+  ExperimentEvent kidnap;
+  kidnap.at = kidnap.every = kKidnap;
+  kidnap.to.farther_than = 3.0;
+  life.events = {kidnap};
+  return life;
+}
+
+/// What an hour was like.
+struct Hour {
+  std::vector<double> ms;               // of each update
+  int scans{0}, tracking{0}, wrong{0};  // of all; those that said tracking; wrongly
+  double longest_s{0.0};                // that tracking was said of a wrong pose
+  double megabytes{0.0};
+};
+
+class Soak {
+ public:
+  explicit Soak(const Command& command)
+      : command_(command),
+        life_(lifeOf(command)),
+        site_(loadSite(life_)),
+        drive_(site_, life_, command.seed) {
+    parameters_.set("filter", command.filter);
+    parameters_.set("threads", 1);
+    maps_ = {site_.ground.map, std::make_shared<const OccupancyGrid>(
+                                   loadMap(SOURCE_DIR "/maps/office_moved/map.yaml"))};
+    localizer_ = std::make_unique<Localizer>(parameters_, site_.ground);
+    localizer_->reset(StartOptions().around(drive_.told()));
+  }
+
+  std::vector<Hour> run() {
+    std::vector<Hour> hours;
+    for (int i = 1; i <= command_.hours; ++i) {
+      hours.push_back(live(i * kHour));
+      print(i, hours.back());
+    }
+    return hours;
+  }
+
+ private:
+  Hour live(double until) {
+    Hour hour;
+    while (const auto seen = drive_.next()) {
+      change(seen->scan.stamp);
+      update(*seen, hour);
+      if (seen->scan.stamp >= until) break;
+    }
+    hour.megabytes = residentMegabytes();
+    return hour;
+  }
+
+  /// The map, an option.
+  void change(double stamp) {
+    if (stamp >= next_map_) {
+      next_map_ += kMapChange;
+      localizer_->setMap(Ground(maps_[static_cast<std::size_t>(++map_changes_ % 2)]));
+    }
+    if (stamp >= next_option_) {
+      next_option_ += kReconfigure;
+      parameters_.set("laser_max_beams", ++option_changes_ % 2 == 0 ? 60 : 45);
+      localizer_->configure(parameters_);
+    }
+  }
+
+  void update(const DriveScan& seen, Hour& hour) {
+    const Stopwatch watch(CLOCK_THREAD_CPUTIME_ID);
+    Observations observations;
+    observations.stamp = seen.scan.stamp;
+    observations.scan = toScan(seen.scan, LaserMount::level(drive_.laserMounts().front()),
+                               localizer_->scanOptions(), seen.velocity);
+    const Localization answer = localizer_->update(seen.T_odom_base, observations);
+    if (answer.updated) hour.ms.push_back(watch.milliseconds());
+    ++hour.scans;
+    const bool is_tracking = answer.status == Status::kTracking;
+    const Pose2 error = between(*seen.T_map_base, answer.T_map_base);
+    const bool is_wrong =
+        is_tracking && (std::hypot(error.x, error.y) > kFar || std::abs(error.theta) > kTurned);
+    hour.tracking += is_tracking ? 1 : 0;
+    hour.wrong += is_wrong ? 1 : 0;
+    if (!is_wrong) wrong_since_.reset();
+    if (is_wrong && !wrong_since_) wrong_since_ = seen.scan.stamp;
+    if (is_wrong) hour.longest_s = std::max(hour.longest_s, seen.scan.stamp - *wrong_since_);
+  }
+
+  void print(int number, const Hour& hour) const {
+    const double scans = hour.scans;
+    std::printf("| %s | %d | %.1f | %.2f | %.2f | %.1f | %.1f | %.3f | %.1f |\n",
+                command_.filter.c_str(), number, hour.megabytes, quantile(hour.ms, 0.5),
+                quantile(hour.ms, 0.99), largest(hour.ms), 100.0 * hour.tracking / scans,
+                100.0 * hour.wrong / scans, hour.longest_s);
+    std::fflush(stdout);
+  }
+
+  Command command_;
+  ExperimentCase life_;
+  ExperimentSite site_;
+  ExperimentDrive drive_;
+  Parameters parameters_;
+  std::array<std::shared_ptr<const OccupancyGrid>, 2> maps_;
+  std::unique_ptr<Localizer> localizer_;
+  double next_map_{kMapChange}, next_option_{kReconfigure};
+  int map_changes_{0}, option_changes_{0};
+  std::optional<double> wrong_since_;
+};
+
+void run(const Command& command) {
+  std::puts(
+      "| core | hour | memory, MB | ms per update: median | 99 % | most | tracking, % of the scans "
+      "|"
+      " and wrong, % | longest, s |\n|---|---|---|---|---|---|---|---|---|");
+  const std::vector<Hour> hours = Soak(command).run();
+  for (const Hour& hour : hours) {
+    if (hour.megabytes > kMostGrowth * hours.front().megabytes) {
+      throw std::runtime_error("memory grows: " + std::to_string(hours.front().megabytes) +
+                               " MB after an hour, " + std::to_string(hour.megabytes) + " later");
+    }
+    const double before = quantile(hours.front().ms, 0.5), now = quantile(hour.ms, 0.5);
+    if (now > kMostDelay * before) {
+      throw std::runtime_error("latency grows: " + std::to_string(before) +
+                               " ms in the first hour, " + std::to_string(now) + " later");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adaptive_localization
+
+int main(int argc, char** argv) {
+  namespace al = adaptive_localization;
+  return al::runProgram("soak", al::kUsage, al::parse, al::run, {argv + 1, argv + argc});
+}
