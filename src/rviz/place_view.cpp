@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_view.hpp"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace adaptive_localization {
+namespace {
+
+constexpr std::size_t kMost = 20;  // rows
+constexpr int kMore = kMost + 1;   // line of the grid, below them
+
+QLabel* makeCell(const QString& text = "") {
+  auto* cell = new QLabel(text);
+  cell->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return cell;
+}
+
+}  // namespace
+
+PlaceView::PlaceView(QWidget* parent, std::function<void(const Place&)> on_here)
+    : QWidget(parent), on_here_(std::move(on_here)), places_(kMost) {
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  auto* area = new QScrollArea;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  whole->addWidget(area);
+  inside_ = new QWidget;
+  auto* rows = new QVBoxLayout(inside_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  grid_ = new QGridLayout;
+  grid_->setHorizontalSpacing(6);
+  grid_->setVerticalSpacing(2);
+  rows->addLayout(grid_);
+  rows->addStretch(1);
+  addHead();
+  area->setWidget(inside_);
+  area->setMinimumHeight(4 * (fontMetrics().height() + 10));
+}
+
+void PlaceView::addHead() {
+  const char* const words[] = {"", "x (m)", "y (m)", "heading", "mass", ""};
+  for (int i = 0; i < 6; ++i) {
+    QLabel* word = makeCell(words[i]);
+    word->setEnabled(false);
+    grid_->addWidget(word, 0, i);
+    grid_->setColumnStretch(i, i == 0 || i == 5 ? 0 : 1);
+  }
+  more_ = new QLabel;
+  more_->setEnabled(false);
+  grid_->addWidget(more_, kMore, 0, 1, 6);
+}
+
+void PlaceView::addRow() {
+  Row row;
+  const std::size_t index = rows_.size();
+  const int line = static_cast<int>(index) + 1;
+  const char* const names[] = {"place", "place_x", "place_y", "place_heading", "place_mass"};
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    row.cells[i] = makeCell();
+    row.cells[i]->setObjectName(QString("%1_%2").arg(names[i]).arg(line));
+    grid_->addWidget(row.cells[i], line, static_cast<int>(i));
+  }
+  row.here = new QPushButton("Here!");
+  row.here->setObjectName(QString("here_%1").arg(line));
+  row.here->setToolTip("Tells the node that the robot is at this place");
+  row.here->setMinimumWidth(row.here->fontMetrics().boundingRect("Here!").width() + 14);
+  row.here->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  grid_->addWidget(row.here, line, 5);
+  connect(row.here, &QPushButton::clicked, this, [this, index] {
+    if (index < places_.rows().size()) on_here_(places_.rows()[index].place);
+  });
+  rows_.push_back(row);
+}
+
+void PlaceView::show(const PanelState& state, bool is_silent) {
+  places_.update(state.places, inside_->underMouse());
+  const auto& places = places_.rows();
+  while (rows_.size() < places.size()) addRow();
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const bool is_used = i < places.size();
+    for (QWidget* cell : rows_[i].cells) cell->setVisible(is_used);
+    rows_[i].here->setVisible(is_used);
+    if (is_used) fill(rows_[i], places[i], is_silent);
+  }
+  const std::size_t known = state.places.size();
+  more_->setVisible(known == 0 || known > kMost);
+  more_->setText(known == 0 ? "none known" : QString("and %1 more").arg(known - kMost));
+}
+
+void PlaceView::fill(Row& row, const PlaceRows::Row& shown, bool is_silent) {
+  const Place& place = shown.place;
+  const auto number = [](double value, int digits) { return QString::number(value, 'f', digits); };
+  const QString texts[] = {
+      row.here->objectName().mid(QString("here_").size()), number(place.pose.x, 2),
+      number(place.pose.y, 2), number(place.pose.theta * 180.0 / kPi, 0) + QString::fromUtf8("°"),
+      place.mass ? number(100.0 * *place.mass, 0) + " %" : QString::fromUtf8("–")};
+  const bool is_there = shown.is_there && !is_silent;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    row.cells[i]->setText(texts[i]);
+    row.cells[i]->setEnabled(is_there);
+  }
+  row.here->setEnabled(is_there);
+}
+
+}  // namespace adaptive_localization
