@@ -48,7 +48,7 @@ void drawWords(QPainter& painter, const Axes& axes, const QSizeF& letter, const 
   number(1.0, "1");
   const QRectF below(area.left(), area.bottom() + 2.0, area.width(), letter.height());
   painter.drawText(below, Qt::AlignLeft, QString::fromUtf8("−2 min"));
-  painter.drawText(below, Qt::AlignHCenter, QString::fromUtf8("−1"));
+  painter.drawText(below, Qt::AlignHCenter, QString::fromUtf8("−1 min"));
   painter.drawText(below, Qt::AlignRight, "now");
 }
 

@@ -45,7 +45,9 @@ void PlaceView::addHead() {
   const char* const words[] = {"", "x (m)", "y (m)", "heading", "mass", ""};
   for (int i = 0; i < 6; ++i) {
     QLabel* word = makeCell(words[i]);
-    word->setEnabled(false);
+    QFont font = word->font();
+    font.setPointSizeF(0.85 * font.pointSizeF());
+    word->setFont(font);
     grid_->addWidget(word, 0, i);
     grid_->setColumnStretch(i, i == 0 || i == 5 ? 0 : 1);
   }
