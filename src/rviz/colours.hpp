@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QWidget>
 #include <string>
 
 namespace adaptive_localization {
@@ -16,6 +17,11 @@ inline QColor colourOf(const std::string& status) {
 /// Of what is not known, dark enough for white letters.
 inline QColor colourOfNothing() {
   return QColor(96, 96, 96);
+}
+
+/// Makes a text quiet, but readable still.
+inline void quieten(QWidget* text) {
+  text->setStyleSheet("color: " + colourOfNothing().name());
 }
 
 }  // namespace adaptive_localization

@@ -34,7 +34,8 @@ LocalizationPanel::LocalizationPanel(QWidget* parent) : rviz::Panel(parent) {
 
 void LocalizationPanel::build() {
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(6, 6, 6, 6);
+  rows->setContentsMargins(6, 4, 6, 4);
+  rows->setSpacing(4);
   nodes_ = new QComboBox;
   nodes_->setObjectName("node");
   nodes_->setToolTip("The localization node that is shown");

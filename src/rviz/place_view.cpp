@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "place_view.hpp"
 
-#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
+
+#include "colours.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -23,11 +25,11 @@ PlaceView::PlaceView(QWidget* parent, std::function<void(const Place&)> on_here)
     : QWidget(parent), on_here_(std::move(on_here)), places_(kMost) {
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
-  auto* area = new QScrollArea;
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  whole->addWidget(area);
+  area_ = new QScrollArea;
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setWidgetResizable(true);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  whole->addWidget(area_);
   inside_ = new QWidget;
   auto* rows = new QVBoxLayout(inside_);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -37,8 +39,8 @@ PlaceView::PlaceView(QWidget* parent, std::function<void(const Place&)> on_here)
   rows->addLayout(grid_);
   rows->addStretch(1);
   addHead();
-  area->setWidget(inside_);
-  area->setMinimumHeight(4 * (fontMetrics().height() + 10));
+  area_->setWidget(inside_);
+  area_->setMinimumHeight(4 * fontMetrics().height() + 10);  // two rows; it gets all that is left
 }
 
 void PlaceView::addHead() {
@@ -48,11 +50,13 @@ void PlaceView::addHead() {
     QFont font = word->font();
     font.setPointSizeF(0.85 * font.pointSizeF());
     word->setFont(font);
+    quieten(word);
+    head_.push_back(word);
     grid_->addWidget(word, 0, i);
     grid_->setColumnStretch(i, i == 0 || i == 5 ? 0 : 1);
   }
   more_ = new QLabel;
-  more_->setEnabled(false);
+  quieten(more_);
   grid_->addWidget(more_, kMore, 0, 1, 6);
 }
 
@@ -89,7 +93,11 @@ void PlaceView::show(const PanelState& state, bool is_silent) {
     if (is_used) fill(rows_[i], places[i], is_silent);
   }
   const std::size_t known = state.places.size();
+  for (QWidget* word : head_) word->setVisible(!places.empty());
   more_->setVisible(known == 0 || known > kMost);
+  const bool is_scrolled = area_->verticalScrollBar()->isVisible();
+  area_->setMinimumWidth(inside_->minimumSizeHint().width() +
+                         (is_scrolled ? area_->verticalScrollBar()->width() : 0));
   more_->setText(known == 0 ? "none known" : QString("and %1 more").arg(known - kMost));
 }
 

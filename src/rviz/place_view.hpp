@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QWidget>
 #include <array>
 #include <functional>
@@ -33,8 +34,10 @@ class PlaceView : public QWidget {
 
   std::function<void(const Place&)> on_here_;
   PlaceRows places_;
+  QScrollArea* area_;
   QWidget* inside_;
   QGridLayout* grid_;
+  std::vector<QLabel*> head_;
   QLabel* more_;
   std::vector<Row> rows_;
 };

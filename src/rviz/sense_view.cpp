@@ -11,7 +11,7 @@ SenseView::SenseView(QWidget* parent) : QWidget(parent) {
   grid_->setVerticalSpacing(1);
   grid_->setColumnStretch(2, 1);
   none_ = new QLabel("nothing told on /diagnostics");
-  none_->setEnabled(false);
+  quieten(none_);
   grid_->addWidget(none_, 0, 0, 1, 3);
 }
 

@@ -32,6 +32,7 @@ QString durationText(double seconds) {
 StatusView::StatusView(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(3);
   status_ = addLabel(rows, "status", Qt::AlignHCenter);
   status_->setWordWrap(true);
   QFont font = status_->font();

@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 DESTDIR=$work "$cmake" --install "$build" > "$work/log"
 installed=$(dirname "$(find "$work" -path '*/share/adaptive_localization' -type d)")/..
-for file in share/adaptive_localization/{config/filters/kld.yaml,launch/demo.launch,maps/maze/map.pgm} \
+for file in share/adaptive_localization/{config/filters/kld.yaml,config/rviz_plugins.xml,launch/demo.launch,maps/maze/map.pgm} \
   include/adaptive_localization/filters/filter.hpp; do
   if [ ! -f "$installed/$file" ]; then echo "not installed: $file" && exit 1; fi
 done
