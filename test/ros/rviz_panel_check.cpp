@@ -7,6 +7,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <rviz/panel.h>
 #include <std_msgs/Float32.h>
 
@@ -25,7 +26,6 @@ namespace adaptive_localization {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 constexpr double kAtLast = 120.0;  // s of real time, by which a test ends whose answer never comes
 
@@ -36,7 +36,8 @@ class RvizPanel : public testing::Test {
         statuses_(node_.subscribe("/pose_finder/status", 100, &RvizPanel::onStatus, this)),
         configs_(node_.subscribe("/pose_finder/parameter_updates", 10, &RvizPanel::onConfig, this)),
         told_(node_.subscribe("/fleet/put_robot", 10, &RvizPanel::onTold, this)),
-        poses_(node_.subscribe("/amcl_pose", 10, &RvizPanel::onPose, this)) {
+        poses_(node_.subscribe("/amcl_pose", 10, &RvizPanel::onPose, this)),
+        logs_(node_.subscribe("/rosout_agg", 10, &RvizPanel::onLog, this)) {
     panel_->initialize(nullptr);
     panel_->resize(300, 700);
     panel_->show();
@@ -53,6 +54,8 @@ class RvizPanel : public testing::Test {
   }
   void onTold(const geometry_msgs::PoseWithCovarianceStamped& message) { initial_ = message; }
   void onPose(const geometry_msgs::PoseWithCovarianceStamped& message) { pose_ = message; }
+
+  void onLog(const rosgraph_msgs::Log&) {}
 
   /// Lets the panel work until a condition holds.
   testing::AssertionResult waitFor(const std::function<bool()>& condition) {
@@ -107,6 +110,7 @@ class RvizPanel : public testing::Test {
   ros::Subscriber configs_;
   ros::Subscriber told_;
   ros::Subscriber poses_;
+  ros::Subscriber logs_;  // one connection for all subscribers of a process: the panel's too
   std::string status_;
   std::string core_;
   int globalizing_{0};  // statuses that said so
@@ -205,6 +209,7 @@ TEST_F(RvizPanel, ChoosesACore) {
 TEST_F(RvizPanel, TellsWhyACoreIsRefused) {
   auto* box = find<QComboBox>("core");
   ASSERT_TRUE(waitFor([&] { return box->isEnabled() && core_ == "sa_kld"; }));
+  ASSERT_TRUE(waitFor([&] { return logs_.getNumPublishers() > 0; }));
   choose(box, "markov");
   EXPECT_TRUE(waitFor([&] { return says("message", "refused core markov: "); }));
   EXPECT_THAT(text("message"), HasSubstr("markov_max_memory"));
