@@ -13,6 +13,11 @@ for file in share/adaptive_localization/{config/filters/kld.yaml,config/rviz_plu
   include/adaptive_localization/filters/filter.hpp; do
   if [ ! -f "$installed/$file" ]; then echo "not installed: $file" && exit 1; fi
 done
+if [ -f "$build/devel/lib/libadaptive_localization_rviz.so" ]; then  # where its description says
+  panel=$(sed -n 's/.*library path="\([^"]*\)".*/\1/p' "$installed/share/adaptive_localization/config/rviz_plugins.xml")
+  file=share/adaptive_localization/$panel.so
+  if [ ! -f "$installed/$file" ]; then echo "not installed: $file" && exit 1; fi
+fi
 env -u LD_LIBRARY_PATH "$installed/lib/adaptive_localization/list_options" > "$work/options"
 grep -q kld_err "$work/options"
 env -u LD_LIBRARY_PATH "$installed/lib/adaptive_localization/replay" --help > /dev/null
