@@ -21,10 +21,14 @@ double steadySeconds() {
   return ros::SteadyTime::now().toSec();
 }
 
+bool isRemapped(const std::string& name) {
+  return ros::names::remap(name) != name;
+}
+
 void checkNotRemapped(const std::string& name) {
-  const std::string other = ros::names::remap(name);
-  if (other == name) return;
-  throw std::runtime_error("this rviz was started with " + name + " remapped to " + other);
+  if (!isRemapped(name)) return;
+  throw std::runtime_error("this rviz was started with " + name + " remapped to " +
+                           ros::names::remap(name));
 }
 
 NodeLink::NodeLink(const LocalizationNames& names) : names_(names) {
@@ -35,8 +39,7 @@ NodeLink::NodeLink(const LocalizationNames& names) : names_(names) {
   listen<rosgraph_msgs::Log>("/rosout_agg", 100);
   listen<dynamic_reconfigure::ConfigDescription>(names.descriptions, 1);
   listen<dynamic_reconfigure::Config>(names.updates, 1);
-  if (names.initial_pose.empty()) return;
-  checkNotRemapped(names.initial_pose);
+  if (names.initial_pose.empty() || isRemapped(names.initial_pose)) return;
   poses_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>(names.initial_pose, 1);
 }
 
@@ -86,6 +89,7 @@ std::string NodeLink::warningSince(double time) const {
 }
 
 void NodeLink::tell(const Place& place, const PanelState& state) {
+  checkNotRemapped(names_.initial_pose);
   if (!poses_ || poses_.getNumSubscribers() == 0) {
     throw std::runtime_error(names_.node + " does not hear initial poses");
   }

@@ -19,7 +19,7 @@ namespace adaptive_localization {
 class NodeLink {
  public:
   /// Throws ros::Exception for names that ROS refuses, and std::runtime_error for one that this
-  /// process remaps, so that it would reach another node.
+  /// process remaps, so that it would hear another node.
   explicit NodeLink(const LocalizationNames& names);
 
   const LocalizationNames& names() const { return names_; }
@@ -28,7 +28,7 @@ class NodeLink {
   void hear(PanelState& state);
 
   /// Sends an initial pose with the covariance that rviz's tool and amcl have: 0.5 m, 15 degrees.
-  /// Throws std::runtime_error if nobody hears it.
+  /// Throws std::runtime_error if nobody hears it or another node would.
   void tell(const Place& place, const PanelState& state);
 
   /// What the node warned of since a time in s of the steady clock; empty: nothing was heard. That
@@ -61,7 +61,10 @@ class NodeLink {
 /// s of a clock that only goes on.
 double steadySeconds();
 
-/// Throws std::runtime_error for a resolved name that this process remaps to another.
+/// Whether this process remaps a resolved name to another.
+bool isRemapped(const std::string& name);
+
+/// Throws std::runtime_error, with both names, if it does.
 void checkNotRemapped(const std::string& name);
 
 }  // namespace adaptive_localization
