@@ -45,7 +45,7 @@ void LocalizationPanel::build() {
   status_ = new StatusView(this);
   commands_ =
       new CommandView(this, [this](const QString& text, bool is_error) { say(text, is_error); });
-  places_ = new PlaceView(this, [this](const Place& place) { tellPlace(place); });
+  places_ = new PlaceView(this, [this](const NamedPlace& place) { tellPlace(place); });
   senses_ = new SenseView(this);
   message_ = new QLabel;
   message_->setObjectName("message");
@@ -138,7 +138,7 @@ void LocalizationPanel::choose(int index) {
   Q_EMIT configChanged();
 }
 
-void LocalizationPanel::tellPlace(const Place& place) {
+void LocalizationPanel::tellPlace(const NamedPlace& place) {
   const auto link = watch_.seen().link;
   if (!link || link->names().node != node_) return;
   try {

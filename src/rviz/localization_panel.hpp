@@ -32,7 +32,7 @@ class LocalizationPanel : public rviz::Panel {
   void tick();
   void showNodes(const NodeWatch::Seen& seen);
   void choose(int index);
-  void tellPlace(const Place& place);
+  void tellPlace(const NamedPlace& place);
   void say(const QString& text, bool is_error);
   QString silenceOf(const NodeWatch::Seen& seen) const;
 

@@ -88,7 +88,7 @@ std::string NodeLink::warningSince(double time) const {
   return text;
 }
 
-void NodeLink::tell(const Place& place, const PanelState& state) {
+void NodeLink::tell(const NamedPlace& place, const PanelState& state) {
   checkNotRemapped(names_.initial_pose);
   if (!poses_ || poses_.getNumSubscribers() == 0) {
     throw std::runtime_error(names_.node + " does not hear initial poses");

@@ -29,7 +29,7 @@ class NodeLink {
 
   /// Sends an initial pose with the covariance that rviz's tool and amcl have: 0.5 m, 15 degrees.
   /// Throws std::runtime_error if nobody hears it or another node would.
-  void tell(const Place& place, const PanelState& state);
+  void tell(const NamedPlace& place, const PanelState& state);
 
   /// What the node warned of since a time in s of the steady clock; empty: nothing was heard. That
   /// options were refused comes before all else.

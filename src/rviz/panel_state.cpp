@@ -28,8 +28,8 @@ std::optional<double> numberOf(const std::map<std::string, std::string>& values,
   return number;
 }
 
-std::vector<Place> toldPlaces(const std::map<std::string, std::string>& values) {
-  std::vector<Place> places;
+std::vector<NamedPlace> toldPlaces(const std::map<std::string, std::string>& values) {
+  std::vector<NamedPlace> places;
   for (int i = 1;; ++i) {
     const auto found = values.find("mode " + std::to_string(i));
     if (found == values.end()) return places;
@@ -51,7 +51,7 @@ bool areOne(const Pose2& a, const Pose2& b) {
 /// Status and places come in two messages, either of them first.
 void weigh(PanelState& state) {
   for (std::size_t i = 0; i < state.places.size(); ++i) {
-    Place& place = state.places[i];
+    NamedPlace& place = state.places[i];
     const bool is_told = i < state.told.size() && areOne(place.pose, state.told[i].pose);
     if (is_told) place.mass = state.told[i].mass;
   }

@@ -19,7 +19,7 @@
 namespace adaptive_localization {
 
 /// One of the places where the robot may be.
-struct Place {
+struct NamedPlace {
   Pose2 pose;
   std::optional<double> mass;  // 0 to 1; none: the status does not tell it
 };
@@ -41,11 +41,11 @@ struct PanelState {
   ConfidenceHistory history;
   std::string frame;       // of the places
   ros::Time places_stamp;  // when the robot was at one of them
-  std::vector<Place> places;
+  std::vector<NamedPlace> places;
   std::vector<Sense> senses;       // the laser first
   std::string core;                // in effect; empty: not known yet
   std::vector<std::string> cores;  // to choose from
-  std::vector<Place> told;         // places as the status tells them, with masses
+  std::vector<NamedPlace> told;    // places as the status tells them, with masses
 };
 
 /// Takes over `~status`. Values that are missing or no numbers stay as they were.

@@ -16,10 +16,10 @@ bool areNear(const Pose2& a, const Pose2& b) {
 
 }  // namespace
 
-void PlaceRows::update(const std::vector<Place>& places, bool are_held) {
+void PlaceRows::update(const std::vector<NamedPlace>& places, bool are_held) {
   if (!are_held) rows_.clear();
   for (Row& row : rows_) row.is_there = false;
-  for (const Place& place : places) {
+  for (const NamedPlace& place : places) {
     const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& other) {
       return are_held && !other.is_there && areNear(other.place.pose, place.pose);
     });

@@ -14,14 +14,14 @@ namespace adaptive_localization {
 class PlaceRows {
  public:
   struct Row {
-    Place place;
+    NamedPlace place;
     bool is_there{true};  // false: gone, shown as long as the rows are held
   };
 
   /// At most `most` rows.
   explicit PlaceRows(std::size_t most) : most_(most) {}
 
-  void update(const std::vector<Place>& places, bool are_held);
+  void update(const std::vector<NamedPlace>& places, bool are_held);
   const std::vector<Row>& rows() const { return rows_; }
 
  private:

@@ -21,7 +21,7 @@ QLabel* makeCell(const QString& text = "") {
 
 }  // namespace
 
-PlaceView::PlaceView(QWidget* parent, std::function<void(const Place&)> on_here)
+PlaceView::PlaceView(QWidget* parent, std::function<void(const NamedPlace&)> on_here)
     : QWidget(parent), on_here_(std::move(on_here)), places_(kMost) {
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
@@ -102,7 +102,7 @@ void PlaceView::show(const PanelState& state, bool is_silent) {
 }
 
 void PlaceView::fill(Row& row, const PlaceRows::Row& shown, bool is_silent) {
-  const Place& place = shown.place;
+  const NamedPlace& place = shown.place;
   const auto number = [](double value, int digits) { return QString::number(value, 'f', digits); };
   const QString texts[] = {
       row.here->objectName().mid(QString("here_").size()), number(place.pose.x, 2),

@@ -18,7 +18,7 @@ namespace adaptive_localization {
 /// there. Rows stay where they are while the mouse is over them.
 class PlaceView : public QWidget {
  public:
-  PlaceView(QWidget* parent, std::function<void(const Place&)> on_here);
+  PlaceView(QWidget* parent, std::function<void(const NamedPlace&)> on_here);
 
   void show(const PanelState& state, bool is_silent);
 
@@ -32,7 +32,7 @@ class PlaceView : public QWidget {
   void addRow();
   void fill(Row& row, const PlaceRows::Row& place, bool is_silent);
 
-  std::function<void(const Place&)> on_here_;
+  std::function<void(const NamedPlace&)> on_here_;
   PlaceRows places_;
   QScrollArea* area_;
   QWidget* inside_;

@@ -6,7 +6,7 @@
 namespace adaptive_localization {
 namespace {
 
-Place at(double x, double theta = 0.0) {
+NamedPlace at(double x, double theta = 0.0) {
   return {{x, 0.0, theta}, 0.5};
 }
 
