@@ -9,6 +9,32 @@ namespace {
 
 std::atomic<int> threads{1};
 
+/// The chunks of a loop. What its caller wrote before and what its stripes write is handed over by
+/// an atomic, too: the thread sanitizer does not see the locks of OpenCV's pool.
+class Loop : public cv::ParallelLoopBody {
+ public:
+  Loop(std::size_t count, std::size_t chunk_size, const std::function<void(const Chunk&)>& body)
+      : count_(count), chunk_size_(chunk_size), body_(body) {
+    done_.store(0, std::memory_order_release);
+  }
+
+  void operator()(const cv::Range& range) const override {
+    done_.load(std::memory_order_acquire);
+    for (int c = range.start; c < range.end; ++c) {
+      const auto index = static_cast<std::size_t>(c);
+      body_({index, index * chunk_size_, std::min(count_, (index + 1) * chunk_size_)});
+    }
+    done_.fetch_add(1, std::memory_order_release);
+  }
+
+  void join() const { done_.load(std::memory_order_acquire); }
+
+ private:
+  std::size_t count_, chunk_size_;
+  const std::function<void(const Chunk&)>& body_;
+  mutable std::atomic<int> done_;
+};
+
 }  // namespace
 
 void setThreads(int count) {
@@ -20,19 +46,15 @@ void setThreads(int count) {
 void parallelFor(std::size_t count, std::size_t chunk_size,
                  const std::function<void(const Chunk&)>& body) {
   const std::size_t chunks = (count + chunk_size - 1) / chunk_size;
-  const auto run = [&](const cv::Range& range) {
-    for (int c = range.start; c < range.end; ++c) {
-      const auto index = static_cast<std::size_t>(c);
-      body({index, index * chunk_size, std::min(count, (index + 1) * chunk_size)});
-    }
-  };
+  const Loop loop(count, chunk_size, body);
   const cv::Range all(0, static_cast<int>(chunks));
   const int stripes = threads;
   if (chunks < 2 || stripes < 2) {
-    run(all);
+    loop(all);
   } else {
-    cv::parallel_for_(all, run, stripes);
+    cv::parallel_for_(all, loop, stripes);
   }
+  loop.join();
 }
 
 }  // namespace adaptive_localization
