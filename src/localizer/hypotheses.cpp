@@ -187,6 +187,12 @@ bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
          tolerated(best.error) < core->error;
 }
 
+bool Hypotheses::looksLikeAnother(const Pose2& T_map_base) const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    return hypothesis.is_explained && !areSamePlace(hypothesis.T_map_base, T_map_base);
+  });
+}
+
 std::vector<Mode> Hypotheses::modes() const {
   std::vector<Mode> modes;
   double best = 0.0, sum = 0.0;

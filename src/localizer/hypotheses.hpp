@@ -140,6 +140,9 @@ class Hypotheses {
   /// scan each is corrected by the other senses, as a Kalman filter is, and they alone are judges.
   void weigh(const Observations& observations, double share, double usual);
 
+  /// Whether the last scan fits another place about as well as the best.
+  bool looksLikeAnother(const Pose2& T_map_base) const;
+
   /// Leaves out those that became one with a likelier one, and those too unlikely.
   void prune();
 

@@ -18,27 +18,45 @@ class Proof {
       : way_(kWay * roughness * roughness / (kVeryRough * kVeryRough)) {}
 
   /// A place that somebody told needs none.
-  void waive() { driven_.reset(); }
+  void waive() {
+    driven_.reset();
+    suspect_way_ = 0.0;
+  }
 
-  void demand() { driven_ = 0.0; }
+  void demand() {
+    driven_ = 0.0;
+    suspect_way_ = 0.0;
+  }
+
+  /// The place may be another one that looks alike: until scans have gone on fitting for some way.
+  void suspect() { suspect_way_ = kSuspectWay; }
+  void trust() { suspect_way_ = 0.0; }
+  bool isSuspect() const { return suspect_way_ > 0.0; }
 
   /// Demands on another map as much as was demanded before.
-  void copyStateOf(const Proof& other) { driven_ = other.driven_; }
+  void copyStateOf(const Proof& other) {
+    driven_ = other.driven_;
+    suspect_way_ = other.suspect_way_;
+  }
 
   /// Motion since the last scan. Where scans do not usually fit as a place explains them, driving
   /// on proves nothing.
   void drive(const Pose2& motion, bool usually_fits) {
-    if (driven_) driven_ = usually_fits ? *driven_ + std::hypot(motion.x, motion.y) : 0.0;
+    const double way = std::hypot(motion.x, motion.y);
+    if (driven_) driven_ = usually_fits ? *driven_ + way : 0.0;
+    if (usually_fits) suspect_way_ -= way;
   }
 
   bool isGiven() const { return !driven_ || *driven_ >= way_; }
 
  private:
+  static constexpr double kSuspectWay = 5.0;   // m
   static constexpr double kWay = 7.0;          // m, where walls are as rough as
   static constexpr double kVeryRough = 0.075;  // m, those of a plan that does not fit the building
 
   double way_;                    // m
   std::optional<double> driven_;  // m, so far; nothing if none is needed
+  double suspect_way_{0.0};       // m, left to drive
 };
 
 }  // namespace adaptive_localization

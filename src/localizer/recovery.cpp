@@ -73,6 +73,8 @@ void Recovery::ride(const Pose2& motion) {
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
   if (in_doubt_) in_doubt_ = *in_doubt_ * motion;
+  doubted_way_ += std::hypot(motion.x, motion.y);
+  doubted_turn_ += std::abs(motion.theta);
   if (is_settled_ && odds_.isKept()) left_.reset();
   pace_.travel(wayOf(motion));
   initial_pose_.travel(wayOf(motion));
@@ -98,6 +100,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     waited_ = in_doubt_ ? waited_ + 1 : 0;
     misfits_ = (in_doubt_ ? misfits_ : 0) + (scan_fits_ ? 0 : 1);
   }
+  if (hasSlid(T_map_base)) proof_.suspect();
   if (unexplained_ == 1) ground_.places->askAnew();
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
@@ -164,6 +167,19 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
 bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {
   const bool had_place = was_tracking_ || from_anywhere_;  // by scans, not by somebody's word
   return had_place && !areSamePlace(expected, T_map_base);
+}
+
+/// After scans that did not fit, the core's place may give way to one nearby that looks like where
+/// the robot was carried: since the first of them it moved by more than odometry can be off.
+bool Recovery::hasSlid(const Pose2& T_map_base) const {
+  constexpr int kMisfits = 2;
+  constexpr double kMoved = 0.3, kTurned = 0.25;                           // m, rad
+  constexpr double kPerWay = 0.15, kBesidePerTurn = 0.1, kPerTurn = 0.25;  // of odometry
+  if (!is_settled_ || !in_doubt_ || misfits_ < kMisfits || !was_tracking_) return false;
+  const Pose2 slid = between(*in_doubt_, T_map_base);
+  const double beside = kPerWay * doubted_way_ + kBesidePerTurn * doubted_turn_;  // m
+  return std::hypot(slid.x, slid.y) > std::max(kMoved, beside) ||
+         std::abs(slid.theta) > std::max(kTurned, kPerTurn * doubted_turn_);
 }
 
 /// Where a scan does not fit, other places are worth a thought: not at each scan as long as no

@@ -75,10 +75,14 @@ class Recovery {
   /// core's.
   const std::vector<Mode>& modes() const { return modes_; }
 
-  Status status() const { return status_; }
+  /// While it is suspected that the place only looks alike, "tracking" is not said; the pose is the
+  /// same.
+  Status status() const {
+    return status_ == Status::kTracking && proof_.isSuspect() ? Status::kAmbiguous : status_;
+  }
 
   /// The last scan, whatever other senses say, fits where the robot is tracked.
-  bool knowsByScans() const { return scan_fits_ && status_ == Status::kTracking; }
+  bool knowsByScans() const { return scan_fits_ && status() == Status::kTracking; }
 
   const Confidence& fit() const { return confidence_; }
   const Senses& senses() const { return senses_; }
@@ -90,7 +94,7 @@ class Recovery {
   /// place and from all others that are left.
   double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
     const bool is_anywhere = !is_settled_ || areSamePlace(T_map_base, T_map_base_of_core);
-    const double most = proof_.isGiven() ? 1.0 : kUnproven;
+    const double most = proof_.isGiven() && !proof_.isSuspect() ? 1.0 : kUnproven;
     return is_anywhere ? std::min(most, confidence_.value() * shareOf(T_map_base)) : 0.0;
   }
 
@@ -114,6 +118,7 @@ class Recovery {
                  const Observations& observations);
   bool isAnswered(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
+  bool hasSlid(const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
@@ -141,8 +146,9 @@ class Recovery {
   bool is_settled_{true};            // there is one place, the core's,
   std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
   Hypotheses doubted_;               // the same place, as scans show it,
-  int waited_{0}, misfits_{0};       // so many scans long, so many of them unexplained
-  bool is_unchecked_{false};         // and it has not been compared with others for too long
+  int waited_{0}, misfits_{0};       // so many scans long, so many of them unexplained;
+  double doubted_way_{0.0}, doubted_turn_{0.0};  // m and rad, driven since then
+  bool is_unchecked_{false};  // and it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
   InitialPose initial_pose_;
@@ -155,6 +161,7 @@ class Recovery {
   std::optional<Pose2> left_;   // a place that was known, by odometry, until another one is as well
   bool searched_{false};        // since the race was opened
   bool explained_{false};       // some place explains the last scan
+  bool is_alike_{false};        // scans of this race fit others than the core's as well
   int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};                // or hardly at all
   double contradictions_{0.0};  // scans in a row for which the odds ruled it out

@@ -24,6 +24,7 @@ Eigen::Matrix3d roughly() {
 /// While other places are searched for, the doubted one is followed as it would be in a race.
 void Recovery::doubt(const Pose2& T_map_base) {
   in_doubt_ = T_map_base;
+  doubted_way_ = doubted_turn_ = 0.0;
   doubted_.clear();
   doubted_.addKept(T_map_base, odds_);
 }
@@ -58,7 +59,7 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  searched_ = explained_ = has_left_ = false;
+  searched_ = explained_ = has_left_ = is_alike_ = false;
   in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
@@ -78,6 +79,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
   const double share = std::min(1.0, way_ / kNewWay);
   hypotheses_.weigh(observations, share, usual_.value());
+  is_alike_ = is_alike_ || hypotheses_.looksLikeAnother(T_map_base);
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
@@ -99,6 +101,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
     odds_ = TrackingOdds();  // those were of that place
     proof_.demand();
   }
+  if (!is_alike_) proof_.trust();
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();

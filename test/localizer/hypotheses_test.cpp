@@ -550,5 +550,17 @@ TEST(Hypotheses, ACoreIsOutdoneByAPlaceThatIsLikelierAndFitsFarBetter) {
   EXPECT_FALSE(twins.isOutdone(twin));
 }
 
+TEST(Hypotheses, TellWhetherAnotherPlaceLooksTheSame) {
+  const Pose2 truth{1.0, 1.0, 0.0}, twin{5.0, 2.0, kPi};
+  const Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
+  for (const Pose2& other : {twin, Pose2{4.0, 1.0, 1.0}}) {
+    Hypotheses hypotheses(symmetricWorld());
+    hypotheses.add(truth, 0.0);
+    hypotheses.add(other, 0.0);
+    hypotheses.weigh(seen, 1.0, kUsual);
+    EXPECT_EQ(hypotheses.looksLikeAnother(truth), areSamePlace(other, twin));
+  }
+}
+
 }  // namespace
 }  // namespace adaptive_localization

@@ -60,5 +60,22 @@ TEST(Proof, OnAnotherMapKeepsTheWayDriven) {
   EXPECT_EQ(metresUntilGiven(after), 18);
 }
 
+TEST(Proof, SuspectsAPlaceForFiveMetresOfFittingScansOrUntilItIsTrusted) {
+  Proof proof;
+  EXPECT_FALSE(proof.isSuspect());
+  proof.suspect();
+  Proof other;
+  other.copyStateOf(proof);
+  for (int metre = 0; metre < 5; ++metre) {
+    EXPECT_TRUE(proof.isSuspect());
+    proof.drive(kMetre, kFitsBadly);
+    proof.drive(kMetre, kFits);
+  }
+  EXPECT_FALSE(proof.isSuspect());
+  EXPECT_TRUE(other.isSuspect());
+  other.trust();
+  EXPECT_FALSE(other.isSuspect());
+}
+
 }  // namespace
 }  // namespace adaptive_localization

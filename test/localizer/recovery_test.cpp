@@ -595,5 +595,33 @@ TEST(Recovery, AnotherOneGoesOnWithWhatItKnows) {
   EXPECT_DOUBLE_EQ(other.shareOf(truth), one.shareOf(truth));
 }
 
+/// Where scans do not fit and the core's place then moves by more than odometry can be off, the
+/// robot may have been carried to a place that looks alike, unless a search finds none.
+TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
+  const Pose2 pushed{0.3, 0.1, 0.0};
+  for (const bool slides : {true, false}) {
+    SCOPED_TRACE(slides ? "slides" : "stays");
+    Watched watched(asymmetricWorld());
+    Pose2 truth{1.0, 1.0, 0.0};
+    watched.tell(truth);
+    watched.see(truth, truth);
+    watched.track(truth, 3.0);
+    watched.places().beginUpdate({}, 1);  // too little to search with
+    for (int i = 0; i < 2; ++i) {
+      watched.see(truth * pushed, truth);
+      ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+    }
+    if (slides) truth = truth * pushed;
+    for (int i = 0; i < 3; ++i) {
+      watched.see(truth, truth);
+      ASSERT_EQ(watched.recovery.status(), slides ? Status::kAmbiguous : Status::kTracking);
+      ASSERT_LE(watched.recovery.confidence(truth, truth), slides ? 0.5 : 1.0);
+    }
+    watched.places().beginUpdate({}, kUnlimitedWork);
+    watched.see(truth, truth);
+    EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+  }
+}
+
 }  // namespace
 }  // namespace adaptive_localization
