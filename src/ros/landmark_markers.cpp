@@ -24,11 +24,11 @@ visualization_msgs::MarkerArray landmarkMarkers(const std_msgs::Header& header,
                                                 const LandmarkMap& known, const Pose2& T_map_base,
                                                 const std::vector<Sighting>& sightings) {
   Marker posts = makeMarker(header, "landmarks", 0, Marker::SPHERE_LIST);
-  posts.color = colour(0.1F, 0.3F, 0.9F);
+  posts.color = colour(kKnownLandmark);
   posts.scale.x = posts.scale.y = posts.scale.z = 0.2;
   for (const Landmark& landmark : known.all()) posts.points.push_back(toPoint(landmark.place));
   Marker lines = makeMarker(header, "landmarks", 1, Marker::LINE_LIST);
-  lines.color = colour(0.9F, 0.6F, 0.1F);
+  lines.color = colour(kLandmarkSighting);
   lines.scale.x = 0.03;
   if (sightings.empty()) lines.action = Marker::DELETE;
   for (const Sighting& sighting : sightings) {

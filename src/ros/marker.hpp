@@ -8,6 +8,7 @@
 
 #include "adaptive_localization/core/pose2.hpp"
 #include "conversions.hpp"
+#include "palette.hpp"
 
 namespace adaptive_localization {
 
@@ -19,6 +20,10 @@ inline std_msgs::ColorRGBA colour(float red, float green, float blue, float alph
   result.b = blue;
   result.a = alpha;
   return result;
+}
+
+inline std_msgs::ColorRGBA colour(const Rgb& rgb) {
+  return colour(rgb.red, rgb.green, rgb.blue);
 }
 
 /// A marker for rviz without a size or a colour yet; `name` is its namespace.

@@ -93,9 +93,8 @@ Marker matchMarker(const std_msgs::Header& header, const Match* match, const Sca
     marker.action = Marker::DELETE;
     return marker;
   }
-  const auto fitting =
-      !isRefusal(match->fault) ? colour(0.0F, 0.6F, 0.0F) : colour(0.9F, 0.7F, 0.0F);
-  const auto other = colour(0.9F, 0.0F, 0.7F);
+  const auto fitting = colour(isRefusal(match->fault) ? kRefusedMatch : kFittingHit);
+  const auto other = colour(kOtherHit);
   for (Eigen::Index i = 0; i < scan.hits(); ++i) {
     const Eigen::Vector2d hit = match->T_map_base * Eigen::Vector2d(scan.x[i], scan.y[i]);
     add(marker, hit, match->fits[static_cast<std::size_t>(i)] ? fitting : other);

@@ -7,6 +7,7 @@
 
 #include "colours.hpp"
 #include "core/error_text.hpp"
+#include "legend.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -61,6 +62,8 @@ void LocalizationPanel::build() {
   rows->addWidget(places_, 1);
   rows->addWidget(makeTitle("Senses"));
   rows->addWidget(senses_);
+  rows->addWidget(makeTitle("Markers"));
+  rows->addWidget(makeLegend());
   rows->addWidget(message_);
   connect(nodes_, QOverload<int>::of(&QComboBox::activated), this,
           [this](int index) { choose(index); });

@@ -151,9 +151,10 @@ TEST_F(RvizPanel, ShowsTheNodeThatThereIs) {
   EXPECT_THAT(text("confidence"), testing::MatchesRegex("confidence [01]\\.[0-9][0-9]"));
   EXPECT_THAT(text("duration"), testing::MatchesRegex("for .* s"));
   EXPECT_TRUE(
-      waitFor([&] { return says("figures", " particles, ") && !says("figures", "0 part"); }));
+      waitFor([&] { return says("figures", " particles, ") && text("figures")[0] != '0'; }));
   EXPECT_TRUE(waitFor([&] { return find<QLabel>("sense") && text("sense") == "laser"; }));
   EXPECT_EQ(text("sense_state").substr(0, 4), "used");
+  EXPECT_THAT(text("legend"), testing::HasSubstr("<font color='#009900'>"));  // as ~match has them
   EXPECT_TRUE(waitFor([&] { return find<QComboBox>("core")->currentText() == "sa_kld"; }));
 }
 
