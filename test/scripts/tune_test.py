@@ -31,8 +31,15 @@ folder.mkdir(parents=True, exist_ok=True)
 names = ("stamp,x,y,yaw,deviation,status,confidence,fit,modes,particles,updated,update_ms,"
          "odom_x,odom_y,odom_yaw,reference_x,reference_y,reference_yaw")
 begin, end = (max(0.0, float(value("--begin"))), min(100.0, float(value("--end"))))
-rows = [f"{t},{t / 30},1,{0.01 * (t % 7)},0.1,tracking,1,1,1,100,1,1,{t / 30},1,{0.011 * (t % 7)},{t / 30},1,{0.01 * (t % 7)}"
-        for t in range(101) if begin <= t <= end]
+def times(a, b):
+    return (a[0] + math.cos(a[2]) * b[0] - math.sin(a[2]) * b[1], a[1] + math.sin(a[2]) * b[0] + math.cos(a[2]) * b[1],
+            a[2] + b[2])
+def estimate(base):  # of a robot whose laser is where the scans say, as seen from where it is said to be
+    laser = times(base, (0.08, 0.0, 0.03))
+    back = (-x * math.cos(yaw), x * math.sin(yaw), -yaw)
+    return "%f,%f,%f" % times(laser, back)
+rows = [f"{t},{estimate((t / 30, 1, 0.01 * (t % 7) ** 2))},0.1,tracking,1,1,1,100,1,1,{t / 30},1,{0.01 * (t % 7) ** 2},"
+        f"{t / 30},1,{0.0101 * (t % 7) ** 2}" for t in range(101) if begin <= t <= end]
 (folder / "scans.csv").write_text("\\n".join([names, *rows]) + "\\n")
 with open(pathlib.Path(__file__).with_name("calls"), "a") as calls:
     calls.write("x")
@@ -48,8 +55,8 @@ class Tune(unittest.TestCase):
         replay.write_text(REPLAY)
         replay.chmod(0o755)
 
-    def tune(self, *more):
-        done = subprocess.run(["/usr/bin/python3", str(SCRIPT), "--map", "m.yaml", "--log", "l.bag", "--truth", "t.tum",
+    def tune(self, *more, reference=("--truth", "t.tum")):
+        done = subprocess.run(["/usr/bin/python3", str(SCRIPT), "--map", "m.yaml", "--log", "l.bag", *reference,
                                "--out", str(self.folder / "out"), *more], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True,
                               env=dict(os.environ, REPLAY=str(self.folder / "replay")))
@@ -73,7 +80,18 @@ class Tune(unittest.TestCase):
         self.assertEqual(self.tune()[1], output)
         self.assertEqual(len((self.folder / "calls").read_text()), calls + 2, "only the two that judge, anew")
 
-    def test_needs_a_reference(self):
+    def test_finds_a_mount_without_a_reference(self):
+        code, output, errors = self.tune("--start", "0,1,0", reference=[])
+        self.assertEqual(code, 0, errors)
+        self.assertIn("mount: x 0.080 m, yaw 0.0300 rad; the log has 0.000 m, 0.0000 rad", output)
+        tuned = (self.folder / "out" / "tuned.yaml").read_text()
+        self.assertIn("(replay --mount 0.08,0.0,0.03)", tuned)
+        self.assertIn("odom_alpha1: ", tuned)
+        self.assertNotIn("scan_time_offset", tuned)
+        before, after = [float(word) for word in output.splitlines()[-2].split() if word.startswith("0.")]
+        self.assertLess(after, 0.1 * before)
+
+    def test_needs_a_reference_or_a_start(self):
         done = subprocess.run(["/usr/bin/python3", str(SCRIPT), "--map", "m", "--log", "l", "--out", str(self.folder / "out")],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         self.assertNotEqual(done.returncode, 0)
