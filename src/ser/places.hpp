@@ -111,9 +111,9 @@ class Places {
   GlobalSearchOptions search_options_;
   Build build_;
   std::vector<Entry> entries_;
-  std::vector<std::string> warnings_;  // to be taken
-  int pause_{0};      // after a grid that could not be made; 0 if it could:
-  int asks_left_{0};  // so many scans that ask for one until it is tried again
+  std::vector<std::string> warnings_;     // to be taken
+  int pause_{0};                          // after a grid that could not be made; 0 if it could:
+  int asks_left_{0};                      // so many scans that ask for one until it is tried again
   std::set<std::string> said_;            // all warnings
   Pose2 T_odom_base_;                     // at this update
   double way_{0.0};                       // m or rad, since the question
