@@ -17,8 +17,6 @@
 namespace adaptive_localization {
 namespace {
 
-#ifdef COUNTS_ALLOCATIONS
-
 struct Counts {
   double taken;  // per update
   long kept;     // in all
@@ -70,14 +68,6 @@ TEST_P(EveryCore, AllocatesAsOftenForManyParticlesAsForFew) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, EveryCore, testing::ValuesIn(builtins().filters.names()),
                          [](const auto& core) { return core.param; });
-
-#else
-
-TEST(Allocations, AreCounted) {
-  GTEST_SKIP() << "allocations cannot be counted with a sanitizer or without glibc";
-}
-
-#endif
 
 }  // namespace
 }  // namespace adaptive_localization

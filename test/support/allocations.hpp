@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts what a test's program allocates, and makes an allocation fail. It replaces malloc, so one
-// file of a program includes it.
+// file of a program includes it. Sanitizers have an allocator of their own, and only glibc has
+// these names for its.
 #pragma once
 
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
-
-// Sanitizers have an allocator of their own; other C libraries have no names for theirs.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define COUNTS_ALLOCATIONS
 
 namespace allocations {
 
@@ -55,4 +52,3 @@ void free(void* memory) noexcept {
   __libc_free(memory);
 }
 }
-#endif
