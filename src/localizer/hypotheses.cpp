@@ -44,7 +44,7 @@ auto about(All& all, const Pose2& T_map_core) {
 
 }  // namespace
 
-Eigen::Matrix3d Hypotheses::placeCovariance() {
+Eigen::Matrix3d placeCovariance() {
   return Eigen::Vector3d(kPlaceVariance, kPlaceVariance, kPlaceTurnVariance).asDiagonal();
 }
 

@@ -9,6 +9,7 @@
 #include "adaptive_localization/core/belief.hpp"
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
+#include "localizer/hypothesis.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "map/range_error.hpp"
 #include "ser/place.hpp"
@@ -155,9 +156,6 @@ class Hypotheses {
   std::vector<Mode> modes() const;
 
  private:
-  /// Of a place aligned with a scan.
-  static Eigen::Matrix3d placeCovariance();
-
   static constexpr std::size_t kMostPlaces = 100;
   static constexpr double kMargin = 6.0;    // log odds below the best at which a place is ruled out
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
@@ -165,36 +163,6 @@ class Hypotheses {
 
   /// An error that tells no more than another one, m.
   static double withTolerance(double error) { return 1.25 * error + 0.015; }
-
-  struct Hypothesis {
-    Pose2 T_map_base;
-    double log_odds{0.0};
-    double prior{0.0};  // of the odds, before any scan
-    double word{0.0};   // of that, what somebody said and no scan
-    bool is_kept{false};
-    bool was_believed{false};  // it was the only one before the others were looked for
-    std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
-    std::optional<Place> aligned{};                    // with the next scan
-    Pose2 T_map_ridden{};  // by odometry alone, before it was aligned with the last scan
-    bool is_new{true};     // not judged yet: a scan counts in full
-    bool is_due{true};     // to be judged by this scan
-    int waited{0};         // scans since it was judged,
-    double share{0.0};     // and how much of them was new
-    double error{RangeError::kTruncation};  // of the last scan, m
-    bool is_explained{false};               // it speaks against no place less
-    bool is_spared{false};  // it would rule the place out, were it not kept and did not most fit
-    std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
-    Eigen::Matrix3d covariance = placeCovariance();
-    double way{0.0};  // m or rad, since it was corrected by other senses
-
-    /// Takes note of a log likelihood that a sense other than the laser tells of it; of all that
-    /// it tells `most` counts.
-    void hear(std::size_t sense, double told, double most) {
-      if (sensed.size() <= sense) sensed.resize(sense + 1, 0.0);
-      const double before = std::exchange(sensed[sense], std::max(-most, sensed[sense] + told));
-      log_odds += sensed[sense] - before;
-    }
-  };
 
   PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "adaptive_localization/core/pose2.hpp"
+#include "map/range_error.hpp"
+#include "ser/place.hpp"
+
+namespace adaptive_localization {
+
+/// Of a place aligned with a scan.
+Eigen::Matrix3d placeCovariance();
+
+/// A place where the robot may be, and what is known of it: one of the Hypotheses.
+struct Hypothesis {
+  Pose2 T_map_base;
+  double log_odds{0.0};
+  double prior{0.0};  // of the odds, before any scan
+  double word{0.0};   // of that, what somebody said and no scan
+  bool is_kept{false};
+  bool was_believed{false};  // it was the only one before the others were looked for
+  std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
+  std::optional<Place> aligned{};                    // with the next scan
+  Pose2 T_map_ridden{};  // by odometry alone, before it was aligned with the last scan
+  bool is_new{true};     // not judged yet: a scan counts in full
+  bool is_due{true};     // to be judged by this scan
+  int waited{0};         // scans since it was judged,
+  double share{0.0};     // and how much of them was new
+  double error{RangeError::kTruncation};  // of the last scan, m
+  bool is_explained{false};               // it speaks against no place less
+  bool is_spared{false};  // it would rule the place out, were it not kept and did not most fit
+  std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
+  Eigen::Matrix3d covariance = placeCovariance();
+  double way{0.0};  // m or rad, since it was corrected by other senses
+
+  /// Takes note of a log likelihood that a sense other than the laser tells of it; of all that
+  /// it tells `most` counts.
+  void hear(std::size_t sense, double told, double most) {
+    if (sensed.size() <= sense) sensed.resize(sense + 1, 0.0);
+    const double before = std::exchange(sensed[sense], std::max(-most, sensed[sense] + told));
+    log_odds += sensed[sense] - before;
+  }
+};
+
+}  // namespace adaptive_localization
