@@ -15,6 +15,7 @@ Builds the energy grid of a map and tells what is in it.
 
   --beams N          beams that an energy is made of (default 30)
   --orientations N   headings in each cell (default 18)
+  --pitch R          distance between neighbouring positions, m; 0: every cell (default 0.1)
   --max-range R      ranges are cut off here, m (default 10)
   --view DEG         what the laser sees, all round is 360 (default 180)
   --json FILE        write the mean energy of each cell and, with --query, its share in the region
@@ -40,6 +41,7 @@ EnergyCommand parseEnergyCommand(const std::vector<std::string>& arguments) {
   });
   option("--beams", "energy_beams");
   option("--orientations", "energy_orientations");
+  option("--pitch", "energy_grid_pitch");
   option("--max-range", "energy_max_range");
   command.wants_help = !parser.parse(arguments);
   if (command.wants_help) return command;

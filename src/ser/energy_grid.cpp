@@ -54,6 +54,12 @@ class BeamSums {
 
 }  // namespace
 
+int EnergyGrid::spacingAskedFor(const OccupancyGrid& map, const EnergyGridOptions& options) {
+  constexpr double kRounding = 1e-6;  // 0.1 m are two cells of 0.05 m, as float has it or double
+  const double cells = options.energy_grid_pitch / map.lattice().resolution();
+  return std::max(1, static_cast<int>(std::floor(cells + kRounding)));
+}
+
 int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                            const EnergyGridOptions& options) {
   constexpr double kSearchBytes = 2.0 * kRangeStride / 16.0;  // see RangeBlocks
@@ -61,7 +67,8 @@ int EnergyGrid::spacingFor(const OccupancyGrid& map, const ScanGeometry& geometr
                           double{sizeof(std::uint32_t)} * (1 + orientationsFor(geometry, options));
   const double needed = static_cast<double>(map.countFree()) * per_cell;
   const double limit = 1e6 * options.energy_grid_max_memory;
-  return std::max(1, static_cast<int>(std::ceil(std::sqrt(needed / limit))));
+  return std::max(spacingAskedFor(map, options),
+                  static_cast<int>(std::ceil(std::sqrt(needed / limit))));
 }
 
 EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,

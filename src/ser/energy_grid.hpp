@@ -17,6 +17,7 @@ struct EnergyGridOptions {
   int energy_orientations{18};
   double energy_max_range{10.0};
   double ser_delta{0.02};
+  double energy_grid_pitch{0.1};
   double energy_grid_max_memory{200.0};
   std::string cache_dir;
 
@@ -30,9 +31,12 @@ struct EnergyGridOptions {
            "Ranges are truncated to this for energies and the global search.");
     option("ser_delta", ser_delta, Range{0, 1}, "",
            "Largest difference in energy of similar poses; widened by the share of invalid beams.");
+    option("energy_grid_pitch", energy_grid_pitch, Range{0, 10}, "m",
+           "Distance between neighbouring positions of the energy grid and of the global search, "
+           "rounded down to whole cells of the map; 0: every cell.");
     option("energy_grid_max_memory", energy_grid_max_memory, Range{1, 1e6}, "MB",
-           "Memory limit of the energy grid: where it would take more, it uses every second cell "
-           "of the map, or every third, and so on.");
+           "Memory limit of the energy grid: where it would take more, its positions lie further "
+           "apart than energy_grid_pitch.");
     option("cache_dir", cache_dir, Choices{},
            "Folder in which energy grids are kept for the next start; empty: none.");
   }
@@ -45,7 +49,8 @@ struct ScanEnergy {
 };
 
 /// The energy grid of SAMCL and SA-KLD (Zhang, Zapata, Lepinay, IROS 2009; G_4D of the latter): the
-/// energy that a scan taken in each free cell with each of some headings would have, sorted.
+/// energy that a scan taken in each free cell, or in every so many-th, with each of some headings
+/// would have, sorted.
 ///
 ///     E = (1 / I) sum_i (1 - z_i / z_max),     z_i at most z_max, which a no-return counts as
 ///
@@ -94,7 +99,10 @@ class EnergyGrid {
   /// step, each in [-1/2, 1/2].
   Pose2 pose(std::size_t i, const Eigen::Vector3d& jitter) const;
 
-  /// Every how many-th cell of the map, in x and y, keeps within energy_grid_max_memory.
+  /// Every how many-th cell of the map, in x and y, energy_grid_pitch asks for.
+  static int spacingAskedFor(const OccupancyGrid& map, const EnergyGridOptions& options);
+
+  /// The same, or more to keep within energy_grid_max_memory.
   static int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                         const EnergyGridOptions& options);
 

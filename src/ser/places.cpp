@@ -72,9 +72,10 @@ std::shared_ptr<const RangeTable> Places::rangesFor(const ScanGeometry& geometry
 
 void Places::keep(Entry entry) {
   for (const std::string& warning : entry.warnings) warn(warning);
-  const std::string spacing = std::to_string(entry.grid->ranges().spacing());
-  if (spacing != "1") {
-    warn("energy grid: uses one cell of " + spacing + " by " + spacing +
+  const int spacing = entry.grid->ranges().spacing();
+  if (spacing > EnergyGrid::spacingAskedFor(*map_, options_)) {
+    const std::string side = std::to_string(spacing);
+    warn("energy grid: uses one cell of " + side + " by " + side +
          " to keep within energy_grid_max_memory, which is " +
          std::to_string(static_cast<int>(options_.energy_grid_max_memory)) + " MB");
   }

@@ -171,7 +171,7 @@ TEST(EnergyGrid, NeedsOneHeadingForALaserThatSeesAllRound) {
 TEST(EnergyGrid, TakesOtherNumbersOfBeamsAndHeadings) {
   const MapPtr map = smallRoom();
   for (const auto& [beams, orientations] : {std::pair{1, 1}, {7, 5}, {91, 180}, {180, 7}}) {
-    EnergyGridOptions options;
+    EnergyGridOptions options = everyCell();
     options.energy_beams = beams;
     options.energy_orientations = orientations;
     const auto grid = gridOf(map, halfCircle(), options);
@@ -183,9 +183,23 @@ TEST(EnergyGrid, TakesOtherNumbersOfBeamsAndHeadings) {
   }
 }
 
+TEST(EnergyGrid, UsesCellsAsFarApartAsAskedFor) {
+  EnergyGridOptions options;
+  const auto spacing = [&options](double resolution, double pitch) {
+    options.energy_grid_pitch = pitch;
+    return gridOf(maze(resolution), halfCircle(), options)->ranges().spacing();
+  };
+  EXPECT_EQ(spacing(0.05, 0.1), 2);
+  EXPECT_EQ(spacing(double{0.05F}, 0.1), 2) << "as a message has it";
+  EXPECT_EQ(spacing(0.05, 0.0), 1);
+  EXPECT_EQ(spacing(0.05, 0.19), 3);
+  EXPECT_EQ(spacing(0.15, 0.1), 1);
+  EXPECT_EQ(spacing(0.05, 10.0), 73) << "farther apart there is no free cell";
+}
+
 TEST(EnergyGrid, UsesFewerCellsWhereMemoryIsShort) {
   const MapPtr map = maze();
-  EnergyGridOptions options;
+  EnergyGridOptions options = everyCell();
   options.energy_grid_max_memory = 1.0;  // of 2.8 MB
   const auto grid = gridOf(map, halfCircle(), options);
   EXPECT_EQ(grid->ranges().spacing(), 2);
