@@ -90,19 +90,16 @@ class Recovery {
   /// The mean range error that is usual where the robot is.
   const UsualError& usual() const { return usual_; }
 
-  /// That the robot is where published() has it, [0, 1]: nothing if that is away from the core's
-  /// place and from all others that are left.
-  double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
-    const bool is_anywhere = !is_settled_ || areSamePlace(T_map_base, T_map_base_of_core);
-    const double most = proof_.isGiven() && !proof_.isSuspect() ? 1.0 : kUnproven;
-    return is_anywhere ? std::min(most, confidence_.value() * shareOf(T_map_base)) : 0.0;
-  }
+  /// How likely the robot is within 0.3 m of where published() has it, [0, 1]: nothing if that is
+  /// away from the core's place and from all others that are left.
+  double confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const;
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
   static constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
-  static constexpr double kUnproven = 0.5;   // confidence, at the most
+  static constexpr double kUnproven = 0.5;   // belief, at the most
+  static constexpr double kLost = 0.5;       // confidence, at the most
 
   void doubt(const Pose2& T_map_base);
   void open(const Pose2& T_map_base, const Pose2& back = {});

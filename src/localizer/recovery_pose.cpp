@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 
 #include "localizer/recovery.hpp"
 #include "ser/place.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+/// How often a place that is one of several is the right one, by the belief in it: odds know
+/// nothing of what a map does not show. Linear between values that were fitted to 30 000 scans, in
+/// worlds of places that look alike and on recordings with poor maps (calibration of probabilities:
+/// Niculescu-Mizil and Caruana 2005).
+double shareOfRightPlaces(double belief) {
+  struct Point {
+    double belief, share;
+  };
+  constexpr std::array<Point, 7> kPoints{
+      {{0.0, 0.0}, {0.1, 0.12}, {0.2, 0.58}, {0.45, 0.74}, {0.9, 0.74}, {0.96, 0.85}, {1.0, 0.9}}};
+  for (std::size_t i = 1; i < kPoints.size(); ++i) {
+    const auto& [from, least] = kPoints[i - 1];
+    const auto& [to, most] = kPoints[i];
+    if (belief <= to) return least + (most - least) * (belief - from) / (to - from);
+  }
+  return kPoints.back().share;
+}
+
+/// A tracked pose is right where the fit is moderate, too: people stand about, a map is old.
+double shareOfRightTracks(double belief) {
+  return 0.9 + 0.1 * belief;
+}
+
+}  // namespace
 
 /// The place that a pose is in while several are possible, if it is about as likely as any.
 const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
@@ -33,6 +60,22 @@ Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& e
   if (isCorrection(T_map_base_by_odometry, estimate.T_map_base)) return estimate.T_map_base;
   const Mode* held = heldPlace(T_map_base_by_odometry);
   return held ? held->T_map_base : T_map_base_by_odometry;
+}
+
+double Recovery::confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
+  if (is_settled_ && !areSamePlace(T_map_base, T_map_base_of_core)) return 0.0;
+  const bool is_proven = proof_.isGiven() && !proof_.isSuspect();
+  const double most = is_proven ? 1.0 : kUnproven;
+  const double belief = std::min(most, confidence_.value() * shareOf(T_map_base));
+  if (confidence_.isContradicted()) return belief;  // by another sense
+  switch (status()) {
+    case Status::kTracking:
+      return shareOfRightTracks(belief);
+    case Status::kAmbiguous:
+      return shareOfRightPlaces(belief);
+    default:
+      return std::min(kLost, belief);
+  }
 }
 
 }  // namespace adaptive_localization
