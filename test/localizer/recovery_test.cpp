@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <vector>
+
 #include "ser/places.hpp"
 #include "support/pose_matchers.hpp"
 #include "support/toy_world.hpp"
@@ -105,6 +107,42 @@ TEST(Recovery, FromAnywhereOneScanWillDoWhereNothingLooksAlike) {
   watched.believed = truth;
   watched.see(truth, truth);
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+/// Share of the hits that are where nothing is.
+Observations withBystanders(Observations seen, int one_in) {
+  for (Eigen::Index i = 0; i < seen.scan.range.size(); i += one_in) {
+    for (Eigen::ArrayXf* lengths : {&seen.scan.x, &seen.scan.y, &seen.scan.range}) {
+      (*lengths)[i] *= 0.5F;
+    }
+  }
+  return seen;
+}
+
+TEST(Recovery, ATrackedPoseIsMostlyRightWhereSomeOfTheScanDoesNotFit) {
+  const Pose2 truth{2.0, 3.0, -0.5};
+  std::vector<double> told;
+  for (const int one_in : {1000, 3}) {
+    Watched watched(asymmetricWorld());
+    watched.tell(truth);
+    watched.observe(withBystanders(watched.laser.observe(watched.map, truth), one_in), truth);
+    ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+    told.push_back(watched.recovery.confidence(truth, truth));
+  }
+  EXPECT_GT(told[0], 0.98);
+  EXPECT_LT(told[1], told[0] - 0.01);
+  EXPECT_GT(told[1], 0.9);
+}
+
+TEST(Recovery, OneOfTwoPlacesIsWhereTheRobotIsMoreOftenThanNot) {
+  Watched watched(symmetricWorld());
+  const Pose2 truth{2.3, 1.0, 0.0};
+  watched.recovery.reset(Anywhere{});
+  watched.believed = truth;
+  watched.see(truth, truth);
+  ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous);
+  EXPECT_NEAR(watched.recovery.confidence(truth, truth), 0.74, 0.02);
+  EXPECT_LT(watched.recovery.confidence(twinOf(truth), truth), 0.75);
 }
 
 TEST(Recovery, PlacesThatLookTheSameNeverDriftApart) {
