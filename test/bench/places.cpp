@@ -54,6 +54,7 @@ void energyGrid(benchmark::State& state, const std::string& world, double resolu
   const Map map = mapOf(world, resolution);
   EnergyGridOptions options;
   options.energy_grid_pitch = pitch;
+  options.energy_grid_max_memory = 1000.0;
   std::size_t cells = 0, bytes = 0;
   for (auto _ : state) {
     const EnergyGrid grid(*map, halfCircle(), options);
