@@ -15,7 +15,7 @@ Builds the energy grid of a map and tells what is in it.
 
   --beams N          beams that an energy is made of (default 30)
   --orientations N   headings in each cell (default 18)
-  --pitch R          distance between neighbouring positions, m; 0: every cell (default 0.1)
+  --pitch R          distance between neighbouring positions, m; 0: every cell (the default)
   --max-range R      ranges are cut off here, m (default 10)
   --view DEG         what the laser sees, all round is 360 (default 180)
   --json FILE        write the mean energy of each cell and, with --query, its share in the region

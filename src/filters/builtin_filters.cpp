@@ -171,13 +171,13 @@ std::vector<FilterDescription> builtinFilters() {
       "SAMCL with as many particles as KLD-sampling asks for, from the first scan on (SA-KLD).",
       Size::kKld, Looks::kKidnapTest, {{"recovery", true}, {"refine", true}},
       Preset{{"kidnap_arm_particles", 1000}} + sourceOfSamcl() + sourceOfKld() + sourceOfAll()));
-  const Preset swarm{{"recovery", true}, {"energy_grid_pitch", 0.0}};  // ranges are looked up in it
+  const Preset recovery{{"recovery", true}};
   filters.push_back(swarmFilter("pso", "Particle swarm: looks for the pose that explains the scan.",
-                                Rule::kParticleSwarm, swarm, sourceOfSwarms()));
-  filters.push_back(swarmFilter("ba", "Bat algorithm: the same with bats.", Rule::kBats, swarm,
+                                Rule::kParticleSwarm, recovery, sourceOfSwarms()));
+  filters.push_back(swarmFilter("ba", "Bat algorithm: the same with bats.", Rule::kBats, recovery,
                                 sourceOfBats() + sourceOfSwarms()));
   filters.push_back(swarmFilter("lbba", "Leader-based bat algorithm: bats that follow leaders.",
-                                Rule::kLeaders, swarm,
+                                Rule::kLeaders, recovery,
                                 sourceOfLeaders() + sourceOfBats() + sourceOfSwarms()));
   filters.push_back(ekfIcp());
   filters.push_back(markov());

@@ -31,7 +31,6 @@ Preset sourceOfKld() {
 
 Preset sourceOfSamcl() {
   return {{"elsewhere", std::string("ser")},
-          {"energy_grid_pitch", 0.0},
           {"kidnap_mean_abs_error", 0.74},
           {"kidnap_arm_spread", 0.14},
           {"local_share", 0.7}};

@@ -17,7 +17,7 @@ struct EnergyGridOptions {
   int energy_orientations{18};
   double energy_max_range{10.0};
   double ser_delta{0.02};
-  double energy_grid_pitch{0.1};
+  double energy_grid_pitch{0.0};
   double energy_grid_max_memory{200.0};
   std::string cache_dir;
 
@@ -33,7 +33,8 @@ struct EnergyGridOptions {
            "Largest difference in energy of similar poses; widened by the share of invalid beams.");
     option("energy_grid_pitch", energy_grid_pitch, Range{0, 10}, "m",
            "Distance between neighbouring positions of the energy grid and of the global search, "
-           "rounded down to whole cells of the map; 0: every cell.");
+           "rounded down to whole cells of the map; 0: every cell. 0.1 m on a map with cells of "
+           "0.05 m takes a quarter of the memory and of the time to build it.");
     option("energy_grid_max_memory", energy_grid_max_memory, Range{1, 1e6}, "MB",
            "Memory limit of the energy grid: where it would take more, its positions lie further "
            "apart than energy_grid_pitch.");

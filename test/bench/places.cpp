@@ -49,15 +49,11 @@ LaserScan scanOf(const World& world, const Pose2& pose, Rng& rng) {
 }
 
 /// Everything that a start on this map needs: ranges, energies, blocks of the search; one thread.
-void energyGrid(benchmark::State& state, const std::string& world, double resolution,
-                double pitch) {
+void energyGrid(benchmark::State& state, const std::string& world, double resolution) {
   const Map map = mapOf(world, resolution);
-  EnergyGridOptions options;
-  options.energy_grid_pitch = pitch;
-  options.energy_grid_max_memory = 1000.0;
   std::size_t cells = 0, bytes = 0;
   for (auto _ : state) {
-    const EnergyGrid grid(*map, halfCircle(), options);
+    const EnergyGrid grid(*map, halfCircle(), {});
     cells = grid.ranges().size();
     bytes = grid.bytes();
   }
@@ -126,17 +122,17 @@ void globalSearch(benchmark::State& state, const std::string& name) {
 }  // namespace
 
 void registerPlaces() {
-  const auto add = [](const std::string& name, auto&& run, auto&&... arguments) {
-    benchmark::RegisterBenchmark(name.c_str(), run, arguments...)->Unit(benchmark::kMillisecond);
+  const auto add = [](const std::string& name, auto&& run, const std::string& world,
+                      double resolution) {
+    benchmark::RegisterBenchmark(name.c_str(), run, world, resolution)
+        ->Unit(benchmark::kMillisecond);
   };
-  constexpr double kEveryCell = 0.0;
   for (const int centimetres : {5, 10, 15, 20, 25}) {
     const std::string suffix = std::to_string(centimetres);
     add("energy_grid/plain/" + suffix, plainGrid, "maze", 0.01 * centimetres);
-    add("energy_grid/" + suffix, energyGrid, "maze", 0.01 * centimetres, kEveryCell);
+    add("energy_grid/" + suffix, energyGrid, "maze", 0.01 * centimetres);
   }
-  add("energy_grid/building", energyGrid, "building", 0.05, EnergyGridOptions{}.energy_grid_pitch);
-  add("energy_grid/building/every_cell", energyGrid, "building", 0.05, kEveryCell);
+  add("energy_grid/building", energyGrid, "building", 0.05);
   add("energy_grid/building/read", readGrid, "building", 0.05);
   for (const std::string world : {"maze", "expansion", "symmetric", "building"}) {
     benchmark::RegisterBenchmark(("global_search/" + world).c_str(), globalSearch, world)

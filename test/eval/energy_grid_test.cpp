@@ -54,7 +54,7 @@ int colouredPixels(const cv::Mat& image) {
 
 TEST_F(EnergyGridProgram, TellsWhatIsInTheGrid) {
   const auto map = asymmetricWorld();
-  const auto result = run({"--orientations", "12", "--beams", "20", "--pitch", "0"});
+  const auto result = run({"--orientations", "12", "--beams", "20"});
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(result.errors, "");
   const auto cells = static_cast<int>(map->countFree());
@@ -73,7 +73,7 @@ TEST_F(EnergyGridProgram, TellsWhatIsInTheGrid) {
 
 TEST_F(EnergyGridProgram, TakesTheDistanceBetweenPositions) {
   const auto cells = static_cast<int>(asymmetricWorld()->countFree());
-  EXPECT_EQ(number(run({}).output, "grid: "), cells / 4) << "0.1 m are two cells";
+  EXPECT_EQ(number(run({"--pitch", "0.1"}).output, "grid: "), cells / 4) << "two cells";
   EXPECT_NEAR(number(run({"--pitch", "0.25"}).output, "grid: "), cells / 25, cells / 250);
 }
 

@@ -16,9 +16,8 @@ constexpr double kWay = 0.3;  // after which a scan is new evidence, m
 
 Ground groundOf(const std::shared_ptr<const OccupancyGrid>& map) {
   Ground ground(map);
-  EnergyGridOptions options;
-  options.energy_grid_pitch = 0.0;  // for worlds as small as these
-  ground.places = std::make_shared<Places>(map, ground.field, options, GlobalSearchOptions{});
+  ground.places =
+      std::make_shared<Places>(map, ground.field, EnergyGridOptions{}, GlobalSearchOptions{});
   return ground;
 }
 

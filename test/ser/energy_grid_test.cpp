@@ -171,7 +171,7 @@ TEST(EnergyGrid, NeedsOneHeadingForALaserThatSeesAllRound) {
 TEST(EnergyGrid, TakesOtherNumbersOfBeamsAndHeadings) {
   const MapPtr map = smallRoom();
   for (const auto& [beams, orientations] : {std::pair{1, 1}, {7, 5}, {91, 180}, {180, 7}}) {
-    EnergyGridOptions options = everyCell();
+    EnergyGridOptions options;
     options.energy_beams = beams;
     options.energy_orientations = orientations;
     const auto grid = gridOf(map, halfCircle(), options);
@@ -199,7 +199,7 @@ TEST(EnergyGrid, UsesCellsAsFarApartAsAskedFor) {
 
 TEST(EnergyGrid, UsesFewerCellsWhereMemoryIsShort) {
   const MapPtr map = maze();
-  EnergyGridOptions options = everyCell();
+  EnergyGridOptions options;
   options.energy_grid_max_memory = 1.0;  // of 2.8 MB
   const auto grid = gridOf(map, halfCircle(), options);
   EXPECT_EQ(grid->ranges().spacing(), 2);

@@ -234,14 +234,15 @@ TEST(Places, MayGoWhileAGridIsBeingMade) {
 }
 
 TEST(Places, SayNothingOfAGridAsCoarseAsAskedFor) {
-  Places places = placesOf(asymmetricWorld());
+  EnergyGridOptions options;
+  options.energy_grid_pitch = 0.1;
+  Places places = placesOf(asymmetricWorld(), Places::Build::kAtOnce, options);
   EXPECT_EQ(places.energyGrid(scanOf(181))->ranges().spacing(), 2);
   EXPECT_THAT(places.takeWarnings(), IsEmpty());
 }
 
 TEST(Places, SayOnceThatTheGridIsCoarserThanAskedFor) {
   EnergyGridOptions options;
-  options.energy_grid_pitch = 0.0;
   options.energy_grid_max_memory = 2.0;
   Places places = placesOf(asymmetricWorld(), Places::Build::kAtOnce, options);
   EXPECT_THAT(places.takeWarnings(), IsEmpty());

@@ -50,15 +50,9 @@ inline ScanGeometry halfCircle(double max_range = 10.0) {
 /// What it reads, a beam in each direction; exact.
 inline const ToyLaser kHalfCircle{91, -kPi / 2, kPi / 2, 20.0};
 
-inline EnergyGridOptions everyCell() {
-  EnergyGridOptions options;
-  options.energy_grid_pitch = 0.0;
-  return options;
-}
-
 inline std::shared_ptr<const EnergyGrid> gridOf(const MapPtr& map,
                                                 const ScanGeometry& geometry = halfCircle(),
-                                                const EnergyGridOptions& options = everyCell()) {
+                                                const EnergyGridOptions& options = {}) {
   return std::make_shared<const EnergyGrid>(*map, geometry, options);
 }
 
