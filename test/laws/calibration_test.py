@@ -72,6 +72,7 @@ class Calibration(unittest.TestCase):
 
     def test_covariances_are_exact_where_all_noise_is_known(self):
         runs = experiments("ekf_accuracy.yaml", "told what laser", 8)
+        self.assertEqual(len(runs), 32)
         for case in {run["case"] for run in runs}:
             errors = [run["accuracy"]["normalized_mean"] for run in runs if run["case"] == case]
             self.assertEqual(len(errors), 8)
