@@ -31,7 +31,8 @@ std::function<Result(Arguments...)> guarded(std::string what,
 }
 
 /// Hears messages of a topic; one that its handler fails at is dropped. A handler of pointers to
-/// messages that are not constant may take them apart: it gets a copy if anybody else has one.
+/// messages that are not constant may take them apart: it gets a copy if anybody else has one. In
+/// place of a pointer it may take a ros::MessageEvent, which knows who sent the message.
 template <class Message, class Pointer = typename Message::ConstPtr>
 ros::Subscriber subscribe(ros::NodeHandle& node, const std::string& topic, std::uint32_t queue,
                           std::function<void(const std::common_type_t<Pointer>&)> handler) {

@@ -27,6 +27,7 @@ NodeHealth LocalizationNode::health() const {
   const auto lack = [&](const std::string& what) {
     if (!what.empty()) health.missing += (health.missing.empty() ? "" : "; ") + what;
   };
+  health.rivals = tf_input_.rivals();
   lack(scans_.missing());
   if (!localizer_) lack("a map on " + maps_.name());
   health.is_as_told = wants_pose && health.missing.empty();

@@ -43,6 +43,11 @@ DiagnosticStatus scanStatus(const NodeHealth& health) {
   return status;
 }
 
+DiagnosticStatus transformStatus(const std::string& rivals) {
+  return makeStatus("Transforms", rivals.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                    rivals.empty() ? "OK" : rivals);
+}
+
 DiagnosticStatus sensesStatus(const std::vector<SenseStatus>& senses) {
   std::string troubles;
   for (const SenseStatus& sense : senses) {
@@ -129,6 +134,7 @@ void NodeDiagnostics::publish() {
   message.header.stamp = ros::Time::now();
   if (health.covariance) message.status.push_back(deviationStatus(*health.covariance, options_));
   message.status.push_back(scanStatus(health));
+  message.status.push_back(transformStatus(health.rivals));
   if (!health.senses.empty()) message.status.push_back(sensesStatus(health.senses));
   if (health.match) message.status.push_back(matchStatus(*health.match));
   message.status.push_back(latencyStatus(health.latency, processor_share_.at(now)));
@@ -136,6 +142,9 @@ void NodeDiagnostics::publish() {
 }
 
 void NodeDiagnostics::complain(const NodeHealth& health) {
+  if (!health.rivals.empty() && complaints_.isDue(health.rivals)) {
+    ROS_WARN("Transforms contradict each other: %s", health.rivals.c_str());
+  }
   seconds_missing_ = health.missing.empty() ? 0 : seconds_missing_ + 1;
   if (seconds_missing_ % kComplainAgain != kComplainAfter) return;
   const auto level = health.is_as_told ? ros::console::levels::Info : ros::console::levels::Warn;

@@ -2,6 +2,7 @@
 #include "transform_input.hpp"
 
 #include "callbacks.hpp"
+#include "conversions.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -13,20 +14,28 @@ constexpr std::uint32_t kQueue = 100;
 TransformInput::TransformInput(tf2_ros::Buffer& buffer) : transforms_(buffer), thread_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   const auto hear = [this](const std::string& topic, bool fixed) {
-    return subscribe<tf2_msgs::TFMessage>(
-        node_, topic, kQueue, [this, fixed](const tf2_msgs::TFMessage::ConstPtr& message) {
-          onMessage(*message, fixed);
-        });
+    return subscribe<tf2_msgs::TFMessage, Event>(
+        node_, topic, kQueue, [this, fixed](const Event& event) { onMessage(event, fixed); });
   };
   moving_ = hear("/tf", false);
   fixed_ = hear("/tf_static", true);
   thread_.start();
 }
 
-void TransformInput::onMessage(const tf2_msgs::TFMessage& message, bool fixed) {
+void TransformInput::onMessage(const Event& event, bool fixed) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
   const auto held = hold();
   emptyAfterJump();
-  for (const auto& transform : message.transforms) transforms_.add(transform, fixed);
+  for (const auto& transform : event.getConstMessage()->transforms) {
+    transforms_.add(transform, fixed);
+    if (fixed) continue;  // whoever knows where a frame is may say so
+    publishers_.hear(withoutLeadingSlash(transform.child_frame_id), event.getPublisherName(), now);
+  }
+}
+
+std::string TransformInput::rivals() const {
+  const std::lock_guard<std::mutex> held(adding_);
+  return publishers_.rivals(ros::SteadyTime::now());
 }
 
 void TransformInput::emptyAfterJump() {

@@ -7,7 +7,9 @@
 #include <tf2_ros/buffer.h>
 
 #include <mutex>
+#include <string>
 
+#include "frame_publishers.hpp"
 #include "transform_keeper.hpp"
 
 namespace adaptive_localization {
@@ -24,12 +26,18 @@ class TransformInput {
   /// message whose transform comes while it is being added is never handed on.
   std::unique_lock<std::mutex> hold() { return std::unique_lock(adding_); }
 
+  /// Frames that two nodes publish, in words; empty if there is none.
+  std::string rivals() const;
+
  private:
-  void onMessage(const tf2_msgs::TFMessage& message, bool fixed);
+  using Event = ros::MessageEvent<const tf2_msgs::TFMessage>;
+
+  void onMessage(const Event& event, bool fixed);
   void emptyAfterJump();
 
   TransformKeeper transforms_;
-  std::mutex adding_;
+  FramePublishers publishers_;
+  mutable std::mutex adding_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::Subscriber moving_;

@@ -27,6 +27,7 @@ void TransformKeeper::clear() {
 bool TransformKeeper::put(const geometry_msgs::TransformStamped& transform, bool fixed) {
   const ros::Time& stamp = transform.header.stamp;
   if (!leavesRoom(stamp)) throw std::runtime_error("its stamp is out of range");
+  if (!fixed && isNewest(transform.child_frame_id, stamp)) return false;
   const bool is_taken = buffer_.setTransform(transform, "tf", fixed);
   if (fixed || !isStuck(transform.child_frame_id, stamp, is_taken)) return is_taken;
   ROS_WARN(
@@ -36,6 +37,12 @@ bool TransformKeeper::put(const geometry_msgs::TransformStamped& transform, bool
       frames_[transform.child_frame_id].newest.toSec() - stamp.toSec());
   clear();
   return put(transform, fixed);
+}
+
+/// Whether the last one that was taken had the same stamp: tf2 would log each that comes again.
+bool TransformKeeper::isNewest(const std::string& frame, const ros::Time& stamp) const {
+  const auto seen = frames_.find(frame);
+  return seen != frames_.end() && seen->second.newest == stamp;
 }
 
 /// A stray old one says nothing: those of a second, none of which was taken, do.

@@ -30,6 +30,7 @@ class TransformKeeper {
   };
 
   bool put(const geometry_msgs::TransformStamped& transform, bool fixed);
+  bool isNewest(const std::string& frame, const ros::Time& stamp) const;
   bool isStuck(const std::string& frame, const ros::Time& stamp, bool is_taken);
 
   tf2::BufferCore& buffer_;

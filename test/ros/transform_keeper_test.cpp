@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/transform_keeper.hpp"
 
+#include <console_bridge/console.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace adaptive_localization {
 namespace {
@@ -62,6 +65,25 @@ TEST_F(TransformKeeperTest, WhatIsNoTransformEmptiesNothing) {
   addFrom(1000.0, 10);
   for (int i = 10; i < 30; ++i) add(1000.0 + 0.1 * i, std::nan(""));
   EXPECT_TRUE(knows(1000.0));
+}
+
+/// Some drivers send each transform twice: tf2 would write a line for each.
+TEST_F(TransformKeeperTest, WhatComesTwiceIsNotLogged) {
+  struct Lines : console_bridge::OutputHandler {
+    void log(const std::string& text, console_bridge::LogLevel, const char*, int) override {
+      lines.push_back(text);
+    }
+    std::vector<std::string> lines;
+  } log;
+  console_bridge::useOutputHandler(&log);
+  addFrom(1000.0, 3);
+  add(1000.2);
+  addFrom(1000.3, 3);
+  EXPECT_TRUE(log.lines.empty()) << log.lines.front();
+  add(900.0);
+  console_bridge::restorePreviousOutputHandler();
+  EXPECT_EQ(log.lines.size(), 1U) << "nothing is heard of tf2";
+  EXPECT_TRUE(knows(1000.45));
 }
 
 TEST_F(TransformKeeperTest, StampAtTheEndOfTimeIsIgnored) {
