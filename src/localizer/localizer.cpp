@@ -107,7 +107,7 @@ void Localizer::setMap(PreparedMap& prepared) {
 
 Localization Localizer::update(const Pose2& T_odom_base, const Observations& observations) {
   last_.updated = false;
-  if (last_.status == Status::kUninitialised || !isFinite(T_odom_base)) return last_;
+  if (last_.status == Status::kUninitialised || !isPlace(T_odom_base)) return last_;
   const bool first = !T_odom_base_at_update_;
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   const bool is_new = first || recovery_->isUnverified(observations);  // also once there is a grid

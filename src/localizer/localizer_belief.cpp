@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a localizer believes: from a prior on, to another filter or map, and to other places.
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +12,11 @@
 
 namespace adaptive_localization {
 namespace {
+
+bool isUsable(const Gaussian2& gaussian) {
+  return isPlace(gaussian.mean) && gaussian.covariance.allFinite() &&
+         gaussian.covariance.maxCoeff() <= kVariance.high;
+}
 
 bool isUsable(const Particles& particles) {
   return particles.size() > 0 && particles.x.allFinite() && particles.y.allFinite() &&
@@ -39,8 +45,14 @@ Particles drawFrom(const std::vector<Mode>& modes, Eigen::Index count, Rng& rng)
 
 void Localizer::reset(const Prior& prior) {
   const auto* gaussian = std::get_if<Gaussian2>(&prior);
-  if (gaussian && !(isFinite(gaussian->mean) && gaussian->covariance.allFinite())) {
-    throw std::invalid_argument("initial pose: got a number that is not finite");
+  if (gaussian && !isUsable(*gaussian)) {
+    const Pose2& mean = gaussian->mean;
+    std::ostringstream message;
+    message << "initial pose: got (" << mean.x << ", " << mean.y << ") m, " << mean.theta
+            << " rad with variances " << gaussian->covariance.diagonal().transpose()
+            << ", expected numbers within " << kFarthest << " m and variances up to "
+            << kVariance.high;
+    throw std::invalid_argument(message.str());
   }
   const auto* cloud = std::get_if<Particles>(&prior);
   if (cloud && !isUsable(*cloud)) {

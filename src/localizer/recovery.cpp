@@ -159,9 +159,16 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
                          const Observations& observations) {
   if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  if (!in_doubt_ && (initial_pose_.isCheckDue() || isDoubtful(error, is_seen))) doubt(expected);
+  if (!in_doubt_ && (isCheckDue(observations) || isDoubtful(error, is_seen))) doubt(expected);
   if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
+}
+
+/// Nobody doubts the pose: until there is a grid for a laser that came later, that can wait.
+bool Recovery::isCheckDue(const Observations& observations) const {
+  const bool is_seen = observations.scan.hits() > 0;
+  return initial_pose_.isCheckDue() &&
+         (!is_seen || ground_.places->energyGrid(observations.scan) != nullptr);
 }
 
 bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {

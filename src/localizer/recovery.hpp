@@ -114,6 +114,7 @@ class Recovery {
   bool isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
                  const Observations& observations);
   bool isAnswered(const Observations& observations) const;
+  bool isCheckDue(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
   bool hasSlid(const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;

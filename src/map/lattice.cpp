@@ -11,9 +11,9 @@ namespace {
 
 // No sensor tells less than a millimetre, no world is larger: what is made of a map must fit
 // numbers.
-constexpr double kFinest = 1e-3;   // m per cell
-constexpr double kCoarsest = 1e5;  // m per cell
-constexpr double kFarthest = 1e8;  // m, of the origin; coordinates of the earth are below
+constexpr double kFinest = 1e-3;         // m per cell
+constexpr double kCoarsest = 1e5;        // m per cell
+constexpr double kFarthestOrigin = 1e8;  // m, of the origin; coordinates of the earth are below
 
 std::string print(double value) {
   std::ostringstream text;
@@ -37,10 +37,11 @@ Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
     throw std::invalid_argument("map resolution: got " + print(resolution) + ", expected " +
                                 print(kFinest) + " to " + print(kCoarsest) + " m per cell");
   }
-  if (!isFinite(origin) || std::abs(origin.x) > kFarthest || std::abs(origin.y) > kFarthest) {
+  if (!isFinite(origin) || std::abs(origin.x) > kFarthestOrigin ||
+      std::abs(origin.y) > kFarthestOrigin) {
     throw std::invalid_argument("map origin: got (" + print(origin.x) + ", " + print(origin.y) +
                                 ") m, " + print(origin.theta) + " rad, expected numbers within " +
-                                print(kFarthest) + " m");
+                                print(kFarthestOrigin) + " m");
   }
 }
 

@@ -12,7 +12,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kMost = 200;          // echoes that are kept,
-constexpr double kFarthest = 3.0;           // m back,
+constexpr double kFarthestEcho = 3.0;       // m back,
 constexpr double kLever = 0.5;              // m that a radian counts for
 constexpr double kSamePlace = 0.02;         // m, and rad
 constexpr double kStep = 2.5 * kPi / 180.;  // between directions that are tried, rad
@@ -49,7 +49,7 @@ void SonarLines::move(const Pose2& motion, const Eigen::Matrix3d& noise) {
     echo.drift =
         transport * echo.drift * transport.transpose() + rotation * noise * rotation.transpose();
   }
-  const auto is_far = [](const SonarEcho& echo) { return !(echo.way < kFarthest); };
+  const auto is_far = [](const SonarEcho& echo) { return !(echo.way < kFarthestEcho); };
   echoes_.erase(std::remove_if(echoes_.begin(), echoes_.end(), is_far), echoes_.end());
 }
 

@@ -18,8 +18,7 @@ bool isUsable(const Gaussian2& prior) {
   const Eigen::Array3d variances = prior.covariance.diagonal();
   const double most_xy = kRounded * std::sqrt(variances[0] * variances[1]);
   const double xy = std::max(std::abs(prior.covariance(0, 1)), std::abs(prior.covariance(1, 0)));
-  return isFinite(prior.mean) && std::abs(prior.mean.x) <= kCoordinate.high &&
-         std::abs(prior.mean.y) <= kCoordinate.high && prior.covariance.allFinite() &&
+  return isPlace(prior.mean) && prior.covariance.allFinite() &&
          variances.minCoeff() >= kVariance.low && variances.maxCoeff() <= kVariance.high &&
          xy <= most_xy;
 }
@@ -45,7 +44,7 @@ std::optional<Gaussian2> readInitialPose(const geometry_msgs::PoseWithCovariance
         "covariance that they allow",
         prior.mean.x, prior.mean.y, prior.mean.theta, prior.covariance(0, 0),
         prior.covariance(1, 1), prior.covariance(2, 2), prior.covariance(0, 1),
-        prior.covariance(1, 0), kCoordinate.high, kVariance.low, kVariance.high);
+        prior.covariance(1, 0), kFarthest, kVariance.low, kVariance.high);
     return std::nullopt;
   }
   const auto& q = message.pose.pose.orientation;

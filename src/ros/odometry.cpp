@@ -16,8 +16,7 @@ Odometry::Odometry(const tf2_ros::Buffer& tf, std::string odom_frame, std::strin
 std::optional<Pose2> Odometry::at(const ros::Time& stamp, std::string* why) const {
   try {
     const Pose2 pose = toPose2(tf_.lookupTransform(odom_frame_, base_frame_, stamp).transform);
-    // Farther from its origin, doubles do not tell where a robot is from where it was.
-    checkPlace(base_frame_, odom_frame_, pose.x, pose.y, kCoordinate.high);
+    checkPlace(base_frame_, odom_frame_, pose.x, pose.y, kFarthest);
     if (isFinite(pose)) return pose;
     if (why) *why = "the transform from " + base_frame_ + " to " + odom_frame_ + " is not finite";
   } catch (const std::runtime_error& error) {  // of tf2, or of a stamp near the end of time

@@ -17,13 +17,13 @@ People::People(std::shared_ptr<const FreeSpace> free_space, int count, const Rng
 /// Somewhere in sight; where nothing is found at once, the person waits and looks again.
 void People::chooseGoal(std::size_t i) {
   constexpr int kTries = 5;
-  constexpr double kFarthest = 8.0;   // m
+  constexpr double kSight = 8.0;      // m
   constexpr double kSlimmer = -0.08;  // m: a person passes where the robot just does not
   for (int attempt = 0; attempt < kTries; ++attempt) {
     const double bearing = rng_.uniform(-kPi, kPi);
     const Eigen::Vector2d goal =
         places_[i] +
-        rng_.uniform(0.5, kFarthest) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+        rng_.uniform(0.5, kSight) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
     if (!free_space_->isFree({places_[i], goal}, kSlimmer)) continue;
     walks_[i].goal = goal;
     return;

@@ -95,6 +95,40 @@ TEST(LocalizerStatus, DoesNotSayTrackingBeforeAScanWasAskedAboutAnInitialPose) {
   }
 }
 
+/// An initial pose is to be checked again and again on the way. Where there is no grid yet for
+/// another laser, that can wait.
+TEST(LocalizerStatus, IsTrackingWhileTheGridOfAnotherLaserIsBeingMade) {
+  const auto map = toyWorld({"####################",  //
+                             "#........#.........#",  //
+                             "#........#...####..#",  //
+                             "#...##......########",  //
+                             "#..................#",  //
+                             "####################"},
+                            0.02, {}, 40);
+  const auto field = std::make_shared<const DistanceField>(*map);
+  const auto places = std::make_shared<Places>(map, field, EnergyGridOptions{},
+                                               GlobalSearchOptions{}, Places::Build::kInBackground);
+  Localizer localizer(parametersWith({{"filter", std::string("ekf_icp")}}),
+                      Ground(map, field, places));
+  const Pose2 start{2.0, 1.2, 0.5 * kPi};
+  localizer.reset(Gaussian2{start, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  Pose2 odometry;
+  const auto update = [&](const ToyLaser& laser) {
+    odometry = odometry * Pose2{0.0, 0.0, 0.2};
+    return localizer.update(odometry, laser.observe(map, start * odometry));
+  };
+  const ToyLaser first{91, -2.0, 2.0, 12.0}, second{121, -2.5, 2.5, 5.0};
+  const auto isReady = [&](const ToyLaser& laser) {
+    return places->energyGrid(laser.observe(map, start).scan) != nullptr;
+  };
+  while (!isReady(first)) update(first);
+  for (int i = 0; i < 5; ++i) update(first);
+  int waited = 0;
+  for (; !isReady(second); ++waited) ASSERT_EQ(update(second).status, Status::kTracking) << waited;
+  EXPECT_GT(waited, 5) << "updates, of a radian in all";
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(update(second).status, Status::kTracking) << i;
+}
+
 /// Where the robot is when it is told, no scan can tell more.
 TEST(LocalizerStatus, KeepsAnInitialPoseThatOneOfTwoTwinsFits) {
   const auto map = symmetricWorld();

@@ -88,6 +88,31 @@ TEST_F(TrackingLocalizer, IgnoresOdometryThatIsNoNumber) {
   EXPECT_TRUE(at({0.3, 0.0, 0.0}).updated);
 }
 
+TEST_F(TrackingLocalizer, IgnoresOdometryBeyondReason) {
+  for (const double far : {2e9, 1e300, -std::numeric_limits<double>::max()}) {
+    for (const Pose2& odometry : {Pose2{far, 0.0, 0.0}, Pose2{0.0, far, 0.0}}) {
+      const Localization before = at({});
+      const Localization bad = localizer_.update(odometry, laser_.observe(map_, start_));
+      EXPECT_FALSE(bad.updated);
+      EXPECT_THAT(bad.T_map_base, PoseNear(before.T_map_base, 0.0, 0.0));
+      localizer_.reset(Anywhere{});  // where no update has been yet
+      EXPECT_FALSE(localizer_.update(odometry, laser_.observe(map_, start_)).updated);
+      localizer_.reset(roughly(start_));
+    }
+  }
+  EXPECT_TRUE(at({0.3, 0.0, 0.0}).updated);
+}
+
+TEST_F(TrackingLocalizer, RefusesAnInitialPoseBeyondReason) {
+  Gaussian2 prior = roughly(start_);
+  prior.mean.y = -2e9;
+  EXPECT_THROW(localizer_.reset(prior), std::invalid_argument);
+  prior = roughly(start_);
+  prior.covariance(0, 0) = 1e200;
+  EXPECT_THROW(localizer_.reset(prior), std::invalid_argument);
+  EXPECT_EQ(at({}).status, Status::kTracking);
+}
+
 TEST_F(TrackingLocalizer, RefusesAnInitialPoseThatIsNoNumber) {
   Gaussian2 prior = roughly(start_);
   prior.mean.x = std::nan("");

@@ -23,7 +23,7 @@ constexpr Range kProbability{0.0, 1.0};
 constexpr Range kDeviation{0.0, 1e3};  // standard deviations and noises, m or rad
 constexpr Range kPositiveDeviation{1e-6, 1e3};
 constexpr Range kVariance{0.0, 1e12};    // of a place that may be anywhere, m^2 or rad^2
-constexpr Range kCoordinate{-1e9, 1e9};  // m; rad
+constexpr Range kCoordinate{-1e9, 1e9};  // m, to kFarthest of a Pose2; rad
 constexpr Range kWhole{0.0, std::numeric_limits<int>::max()};
 
 using Choices = std::vector<std::string>;  // empty: any text

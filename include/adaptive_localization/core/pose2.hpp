@@ -73,4 +73,11 @@ inline bool isFinite(const Pose2& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.theta);
 }
 
+/// Farther from its frame's origin, doubles do not tell where a robot is from where it was.
+constexpr double kFarthest = 1e9;  // m
+
+inline bool isPlace(const Pose2& a) {
+  return isFinite(a) && std::abs(a.x) <= kFarthest && std::abs(a.y) <= kFarthest;
+}
+
 }  // namespace adaptive_localization

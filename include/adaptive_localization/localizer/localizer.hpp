@@ -51,8 +51,8 @@ class Localizer {
   void configure(const Parameters& parameters);
 
   /// Starts anew from a prior; the next scan updates the filter whether the robot moved or not.
-  /// Throws std::invalid_argument for numbers that are not finite and for a cloud without
-  /// particles.
+  /// Throws std::invalid_argument for numbers that are not finite, places beyond kFarthest,
+  /// variances beyond kVariance and a cloud without particles.
   void reset(const Prior& prior);
 
   /// The next scan updates the filter whether the robot moved or not.
@@ -71,7 +71,8 @@ class Localizer {
   /// The same as with a map; takes apart what was prepared. The options must still be the same.
   void setMap(PreparedMap& prepared);
 
-  /// One scan, with the odometry at its stamp. Before reset() the status is kUninitialised.
+  /// One scan, with the odometry at its stamp: without numbers, or beyond kFarthest, the scan is
+  /// ignored. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
   /// How well scans fit the map at the estimate, how sure the belief is.
