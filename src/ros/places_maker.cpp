@@ -87,7 +87,7 @@ void PlacesMaker::poll() {
   known_ = grid;
   if (built_ > kLasers) return;
   ROS_INFO("Energy grid ready: %zu poses, %.1f MB, %s in %.3f s", grid->size(),
-           1e-6 * static_cast<double>(grid->bytes()),
+           1e-6 * static_cast<double>(grid->ranges().bytes()),
            places_->isNewestFromCache() ? "loaded" : "built",
            (ros::WallTime::now() - begun_).toSec());
 }

@@ -79,31 +79,28 @@ EnergyGrid::EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
           geometry, options) {}
 
 EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-                       const EnergyGridOptions& options, const StopToken& stop)
-    : EnergyGrid(std::move(ranges), geometry, options, Sorted{}) {
-  sorted_ = sort(stop);
-}
-
-EnergyGrid::EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-                       const EnergyGridOptions& options, Sorted sorted)
+                       const EnergyGridOptions& options)
     : ranges_(std::move(ranges)),
       geometry_(geometry),
       orientations_(orientationsFor(geometry, options)),
       directions_(energyDirections(geometry, options)),
-      ser_delta_(options.ser_delta),
-      sorted_(std::move(sorted)) {}
+      ser_delta_(options.ser_delta) {}
 
 /// Direction of beam 0 for a heading, in [0, kDirections).
 int EnergyGrid::firstDirection(int orientation) const {
   return orientation * kDirections / orientations_;
 }
 
+/// By whoever asks first; others wait.
+const EnergyGrid::Sorted& EnergyGrid::sorted() const {
+  std::call_once(is_sorted_, [this] { sorted_ = sort(); });
+  return sorted_;
+}
+
 /// Counting sort: sums are small integers.
-EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
-  const std::size_t poses = countPoses();
-  std::vector<std::uint16_t> sums(poses);
+EnergyGrid::Sorted EnergyGrid::sort() const {
+  std::vector<std::uint16_t> sums(size());
   parallelFor(ranges_->size(), 4096, [&](const Chunk& chunk) {
-    stop.check();
     BeamSums beam_sums(directions_);
     std::uint16_t* sum = sums.data() + chunk.begin * static_cast<std::size_t>(orientations_);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -116,20 +113,11 @@ EnergyGrid::Sorted EnergyGrid::sort(const StopToken& stop) const {
   std::vector<std::uint32_t> starts(countSums() + 1, 0);
   for (const std::uint16_t sum : sums) ++starts[sum + 1U];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  stop.check();
   std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-  std::vector<std::uint32_t> sorted(poses);
-  for (std::size_t i = 0; i < poses; ++i) sorted[next[sums[i]]++] = static_cast<std::uint32_t>(i);
-  return {ConstArray<std::uint32_t>(std::move(sorted)),
-          ConstArray<std::uint32_t>(std::move(starts))};
-}
-
-/// Whether sorted_ is what sort() could have made of other ranges.
-bool EnergyGrid::isSorted() const {
-  const auto& [poses, starts] = sorted_;
-  return poses.size() == countPoses() && starts.size() == countSums() + 1 && starts[0] == 0 &&
-         starts[countSums()] == poses.size() && std::is_sorted(starts.begin(), starts.end()) &&
-         *std::max_element(poses.begin(), poses.end()) < poses.size();
+  std::vector<std::uint32_t> poses(sums.size());
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[next[sums[i]]++] = static_cast<std::uint32_t>(i);
+  return {std::move(poses), std::move(starts)};
 }
 
 std::optional<ScanEnergy> EnergyGrid::energyOf(const Scan& scan) const {
@@ -151,16 +139,17 @@ EnergyGrid::Region EnergyGrid::similarTo(const ScanEnergy& energy) const {
   // |E - e| < delta, where E = 1 - sum / most
   const double low = (1.0 - energy.value - energy.delta) * most;
   const double high = (1.0 - energy.value + energy.delta) * most;
-  const auto end = static_cast<double>(sorted_.starts.size() - 1);
+  const std::vector<std::uint32_t>& starts = sorted().starts;
+  const auto end = static_cast<double>(starts.size() - 1);
   const auto first = std::clamp(std::floor(low) + 1.0, 0.0, end);
   const auto last = std::clamp(std::ceil(high), first, end);
-  return {sorted_.starts[static_cast<std::size_t>(first)],
-          sorted_.starts[static_cast<std::size_t>(last)]};
+  return {starts[static_cast<std::size_t>(first)], starts[static_cast<std::size_t>(last)]};
 }
 
 double EnergyGrid::energy(std::size_t i) const {
-  const auto after = std::upper_bound(sorted_.starts.begin(), sorted_.starts.end(), i);
-  return 1.0 - static_cast<double>(after - sorted_.starts.begin() - 1) / (beams() * kNoReturn);
+  const std::vector<std::uint32_t>& starts = sorted().starts;
+  const auto after = std::upper_bound(starts.begin(), starts.end(), i);
+  return 1.0 - static_cast<double>(after - starts.begin() - 1) / (beams() * kNoReturn);
 }
 
 Pose2 EnergyGrid::pose(std::size_t i) const {
@@ -169,8 +158,9 @@ Pose2 EnergyGrid::pose(std::size_t i) const {
 
 Pose2 EnergyGrid::pose(std::size_t i, const Eigen::Vector3d& jitter) const {
   const auto orientations = static_cast<std::uint32_t>(orientations_);
-  const std::uint32_t cell = sorted_.poses[i] / orientations;
-  const int orientation = static_cast<int>(sorted_.poses[i] % orientations);
+  const std::uint32_t pose = sorted().poses[i];
+  const std::uint32_t cell = pose / orientations;
+  const int orientation = static_cast<int>(pose % orientations);
   const double step = ranges_->lattice().resolution() * ranges_->spacing();
   const Eigen::Vector2d sensor = ranges_->centre(cell) + step * jitter.head<2>();
   const double turned = ranges_->lattice().origin().theta + headingStep() * jitter.z();
@@ -178,10 +168,6 @@ Pose2 EnergyGrid::pose(std::size_t i, const Eigen::Vector3d& jitter) const {
                       wrapAngle(geometry_.headingOf(firstDirection(orientation)) + turned)};
   const Eigen::Vector2d base = sensor - heading * geometry_.position;
   return {base.x(), base.y(), heading.theta};
-}
-
-std::size_t EnergyGrid::bytes() const {
-  return ranges_->bytes() + sorted_.poses.bytes() + sorted_.starts.bytes();
 }
 
 }  // namespace adaptive_localization

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -51,7 +52,8 @@ struct ScanEnergy {
 
 /// The energy grid of SAMCL and SA-KLD (Zhang, Zapata, Lepinay, IROS 2009; G_4D of the latter): the
 /// energy that a scan taken in each free cell, or in every so many-th, with each of some headings
-/// would have, sorted.
+/// would have. It is sorted once it is first asked for energies, regions or poses: whoever only
+/// searches the ranges does not pay for that.
 ///
 ///     E = (1 / I) sum_i (1 - z_i / z_max),     z_i at most z_max, which a no-return counts as
 ///
@@ -64,10 +66,9 @@ class EnergyGrid {
   EnergyGrid(const OccupancyGrid& map, const ScanGeometry& geometry,
              const EnergyGridOptions& options, const SweepProgress& progress = {});
 
-  /// The same for another geometry, with the ranges of one that has the same max_range. Throws
-  /// Stopped.
+  /// With ranges of the geometry's max_range, which grids of other geometries may share.
   EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-             const EnergyGridOptions& options, const StopToken& stop = {});
+             const EnergyGridOptions& options);
 
   const ScanGeometry& geometry() const { return geometry_; }
   const RangeTable& ranges() const { return *ranges_; }
@@ -76,7 +77,7 @@ class EnergyGrid {
   double headingStep() const { return 2.0 * kPi / orientations_; }
 
   /// Number of poses.
-  std::size_t size() const { return sorted_.poses.size(); }
+  std::size_t size() const { return ranges_->size() * static_cast<std::size_t>(orientations_); }
 
   /// None if the scan has no valid beam among the energy's.
   std::optional<ScanEnergy> energyOf(const Scan& scan) const;
@@ -107,21 +108,18 @@ class EnergyGrid {
   static int spacingFor(const OccupancyGrid& map, const ScanGeometry& geometry,
                         const EnergyGridOptions& options);
 
-  std::size_t bytes() const;
+  /// Memory, with what regions need once they are asked for.
+  std::size_t bytes() const {
+    return ranges_->bytes() + (size() + countSums() + 1) * sizeof(std::uint32_t);
+  }
 
  private:
-  friend class GridCache;
   struct Sorted {
-    ConstArray<std::uint32_t> poses;   // cell * orientations + orientation, by ascending range sum
-    ConstArray<std::uint32_t> starts;  // [range sum]: first of poses with at least that sum
+    std::vector<std::uint32_t> poses;   // cell * orientations + orientation, by ascending range sum
+    std::vector<std::uint32_t> starts;  // [range sum]: first of poses with at least that sum
   };
-  EnergyGrid(std::shared_ptr<const RangeTable> ranges, const ScanGeometry& geometry,
-             const EnergyGridOptions& options, Sorted sorted);
-  Sorted sort(const StopToken& stop) const;
-  bool isSorted() const;
-  std::size_t countPoses() const {
-    return ranges_->size() * static_cast<std::size_t>(orientations_);
-  }
+  const Sorted& sorted() const;
+  Sorted sort() const;
   std::size_t countSums() const { return directions_.size() * kNoReturn + 1; }
   int firstDirection(int orientation) const;
   int beams() const { return static_cast<int>(directions_.size()); }
@@ -131,7 +129,8 @@ class EnergyGrid {
   int orientations_;
   std::vector<int> directions_;  // of the energy's beams, from beam 0 on
   double ser_delta_;
-  Sorted sorted_;
+  mutable std::once_flag is_sorted_;
+  mutable Sorted sorted_;
 };
 
 }  // namespace adaptive_localization

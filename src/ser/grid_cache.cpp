@@ -71,10 +71,10 @@ std::uint64_t GridCache::keyOf(double max_range, int spacing) const {
       cells);
 }
 
-std::string GridCache::fileOf(const std::string& kind, std::uint64_t key) const {
+std::string GridCache::fileOf(std::uint64_t key) const {
   char digits[17];
   std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(key));
-  return folder_ + "/" + kind + "_" + digits + kExtension;
+  return folder_ + "/ranges_" + digits + kExtension;
 }
 
 /// Says that the file is in use, too.
@@ -120,23 +120,10 @@ std::shared_ptr<const RangeTable> GridCache::readRanges(const std::string& file,
   return table;
 }
 
-std::shared_ptr<const EnergyGrid> GridCache::readGrid(const std::string& file, std::uint64_t key,
-                                                      std::shared_ptr<const RangeTable> ranges,
-                                                      const ScanGeometry& geometry,
-                                                      const EnergyGridOptions& options) const {
-  const std::shared_ptr<EnergyGrid> grid(
-      new EnergyGrid(std::move(ranges), geometry, options, EnergyGrid::Sorted{}));
-  const ArrayFile arrays(file, key,
-                         (grid->countPoses() + grid->countSums() + 1) * sizeof(std::uint32_t));
-  grid->sorted_ = {arrays.array<std::uint32_t>(0), arrays.array<std::uint32_t>(1)};
-  if (!grid->isSorted()) reject(file);
-  return grid;
-}
-
 std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacing,
                                                     const StopToken& stop) {
   const std::uint64_t key = folder_.empty() ? 0 : keyOf(max_range, spacing);
-  const std::string file = fileOf("ranges", key);
+  const std::string file = fileOf(key);
   if (isThere(file)) {
     try {
       return readRanges(file, key, max_range, spacing);
@@ -150,29 +137,6 @@ std::shared_ptr<const RangeTable> GridCache::ranges(double max_range, int spacin
         {ArrayFile::bytesOf(made_with), ArrayFile::bytesOf(table->cells_),
          ArrayFile::bytesOf(table->ranges_)});
   return table;
-}
-
-std::shared_ptr<const EnergyGrid> GridCache::grid(std::shared_ptr<const RangeTable> ranges,
-                                                  const ScanGeometry& geometry,
-                                                  const EnergyGridOptions& options,
-                                                  const StopToken& stop) {
-  const std::uint64_t key =
-      folder_.empty() ? 0
-                      : hashOf({double(geometry.count), geometry.spacing,
-                                double(options.energy_beams), double(options.energy_orientations)},
-                               keyOf(ranges->maxRange(), ranges->spacing()));
-  const std::string file = fileOf("energies", key);
-  if (isThere(file)) {
-    try {
-      return readGrid(file, key, ranges, geometry, options);
-    } catch (const std::runtime_error& error) {
-      warnings_.push_back(std::string(error.what()) + "; made anew");
-    }
-  }
-  auto grid = std::make_shared<const EnergyGrid>(std::move(ranges), geometry, options, stop);
-  write(file, key,
-        {ArrayFile::bytesOf(grid->sorted_.poses), ArrayFile::bytesOf(grid->sorted_.starts)});
-  return grid;
 }
 
 }  // namespace adaptive_localization

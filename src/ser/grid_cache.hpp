@@ -11,8 +11,8 @@
 
 namespace adaptive_localization {
 
-/// Range tables and energy grids of a map, read from a folder where they are, else made and put
-/// there: one file for each table and for each grid, named after a hash of all that it depends on.
+/// The ranges of a map's energy grids, read from a folder where they are, else made and put there:
+/// one file for each table, named after a hash of all that it depends on.
 ///
 /// The folder holds the eight files used last. A file that is not right is made again.
 class GridCache {
@@ -24,11 +24,6 @@ class GridCache {
   std::shared_ptr<const RangeTable> ranges(double max_range, int spacing,
                                            const StopToken& stop = {});
 
-  std::shared_ptr<const EnergyGrid> grid(std::shared_ptr<const RangeTable> ranges,
-                                         const ScanGeometry& geometry,
-                                         const EnergyGridOptions& options,
-                                         const StopToken& stop = {});
-
   /// Whether all that was asked for so far was in the folder.
   bool hadAll() const { return had_all_; }
 
@@ -38,12 +33,8 @@ class GridCache {
  private:
   std::shared_ptr<const RangeTable> readRanges(const std::string& file, std::uint64_t key,
                                                double max_range, int spacing) const;
-  std::shared_ptr<const EnergyGrid> readGrid(const std::string& file, std::uint64_t key,
-                                             std::shared_ptr<const RangeTable> ranges,
-                                             const ScanGeometry& geometry,
-                                             const EnergyGridOptions& options) const;
   std::uint64_t keyOf(double max_range, int spacing) const;
-  std::string fileOf(const std::string& kind, std::uint64_t key) const;
+  std::string fileOf(std::uint64_t key) const;
   bool isThere(const std::string& file) const;
   void write(const std::string& file, std::uint64_t key,
              const std::vector<ArrayFile::Bytes>& arrays);

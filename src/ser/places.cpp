@@ -55,7 +55,7 @@ Places::Entry Places::make(const ScanGeometry& geometry, std::shared_ptr<const R
     ranges =
         cache.ranges(geometry.max_range, EnergyGrid::spacingFor(*map_, geometry, options_), stop);
   }
-  entry.grid = cache.grid(ranges, geometry, options_, stop);
+  entry.grid = std::make_shared<const EnergyGrid>(ranges, geometry, options_);
   entry.is_from_cache = cache.hadAll();
   entry.warnings = cache.warnings();
   entry.search =

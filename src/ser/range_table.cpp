@@ -14,8 +14,38 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr std::uint32_t kNoCell = 0xFFFFFFFF;
-constexpr double kPlanesMemory = 16e6;  // bytes, while a table is being made
+constexpr double kPlanesMemory = 8e6;  // bytes, while a table is being made
+
+/// Numbers some of many cells, in their order, with a bit and half a bit for each.
+class Numbering {
+ public:
+  explicit Numbering(std::size_t cells) : marks_(cells / kBits + 1), before_(marks_.size()) {}
+
+  /// In ascending order.
+  void mark(std::size_t cell) {
+    marks_[cell / kBits] |= bitOf(cell);
+    for (; counted_ < cell / kBits; ++counted_) {
+      before_[counted_ + 1] = before_[counted_] + ones(marks_[counted_]);
+    }
+  }
+
+  bool isMarked(std::size_t cell) const { return (marks_[cell / kBits] & bitOf(cell)) != 0; }
+
+  std::size_t number(std::size_t cell) const {
+    return before_[cell / kBits] + ones(marks_[cell / kBits] & (bitOf(cell) - 1));
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+  static std::uint64_t bitOf(std::size_t cell) { return std::uint64_t{1} << (cell % kBits); }
+  static std::uint32_t ones(std::uint64_t word) {
+    return static_cast<std::uint32_t>(__builtin_popcountll(word));
+  }
+
+  std::vector<std::uint64_t> marks_;
+  std::vector<std::uint32_t> before_;  // marks before a word's; right up to the last word marked
+  std::size_t counted_{0};
+};
 
 /// Cells of a box whose lattice indices are divisible by the spacing, as a lattice of their own.
 class SpacedBox {
@@ -60,19 +90,22 @@ std::vector<int> directionsWith(bool x_is_faster) {
 class RangeTableBuilder {
  public:
   RangeTableBuilder(const OccupancyGrid& map, double max_range, int spacing)
-      : map_(map), box_(knownCells(map)), spaced_(box_, spacing), spacing_(spacing) {
+      : map_(map),
+        box_(knownCells(map)),
+        spaced_(box_, spacing),
+        spacing_(spacing),
+        free_(planeSize()) {
     scale_ = static_cast<float>(map.lattice().resolution() / max_range * kNoReturn);
   }
 
   void build(std::vector<std::uint32_t>& cells, std::vector<std::uint8_t>& ranges,
              const StopToken& stop, const SweepProgress& progress) {
-    number_.assign(planeSize(), kNoCell);
     for (int y = 0; y < spaced_.height(); ++y) {
       stop.check();
       for (int x = 0; x < spaced_.width(); ++x) {
         const Cell cell = spaced_.cell(x, y);
         if (!map_.isFree(cell)) continue;
-        number_[at(x, y, spaced_.width())] = static_cast<std::uint32_t>(cells.size());
+        free_.mark(at(x, y, spaced_.width()));
         cells.push_back(static_cast<std::uint32_t>(map_.lattice().index(cell)));
       }
     }
@@ -166,12 +199,12 @@ class RangeTableBuilder {
   FreeCells freeCells(int line, int first, int end, bool lines_are_columns) const {
     FreeCells cells;
     for (int v = first; v < end; ++v) {
-      const std::uint32_t number =
-          number_[lines_are_columns ? at(line, v, spaced_.width()) : at(v, line, spaced_.width())];
-      if (number == kNoCell) continue;
+      const std::size_t cell =
+          lines_are_columns ? at(line, v, spaced_.width()) : at(v, line, spaced_.width());
+      if (!free_.isMarked(cell)) continue;
       const std::size_t c = cells.count++;
       cells.place[c] = v;
-      cells.row[c] = number * kRangeStride;
+      cells.row[c] = free_.number(cell) * kRangeStride;
     }
     return cells;
   }
@@ -181,8 +214,8 @@ class RangeTableBuilder {
   SpacedBox spaced_;
   int spacing_;
   float scale_;
-  std::size_t done_{0};                // directions
-  std::vector<std::uint32_t> number_;  // of each spaced cell, kNoCell where it is not free
+  Numbering free_;       // of the spaced cells
+  std::size_t done_{0};  // directions
 };
 
 RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,

@@ -48,12 +48,26 @@ LaserScan scanOf(const World& world, const Pose2& pose, Rng& rng) {
   return message;
 }
 
-/// Everything that a start on this map needs: ranges, energies, blocks of the search; one thread.
+/// What every start on this map needs: ranges and blocks of the search; one thread.
+void ranges(benchmark::State& state, const std::string& world, double resolution) {
+  const Map map = mapOf(world, resolution);
+  std::size_t cells = 0, bytes = 0;
+  for (auto _ : state) {
+    const EnergyGrid grid(*map, halfCircle(), {});  // which nobody asks for energies
+    cells = grid.ranges().size();
+    bytes = grid.ranges().bytes();
+  }
+  countItems(state, static_cast<std::int64_t>(cells));
+  state.counters["bytes_per_cell"] = static_cast<double>(bytes) / static_cast<double>(cells);
+}
+
+/// The same, and sorted energies, as a region of similar ones asks for.
 void energyGrid(benchmark::State& state, const std::string& world, double resolution) {
   const Map map = mapOf(world, resolution);
   std::size_t cells = 0, bytes = 0;
   for (auto _ : state) {
     const EnergyGrid grid(*map, halfCircle(), {});
+    benchmark::DoNotOptimize(grid.similarTo({0.5, 0.02}));
     cells = grid.ranges().size();
     bytes = grid.bytes();
   }
@@ -131,9 +145,11 @@ void registerPlaces() {
     const std::string suffix = std::to_string(centimetres);
     add("energy_grid/plain/" + suffix, plainGrid, "maze", 0.01 * centimetres);
     add("energy_grid/" + suffix, energyGrid, "maze", 0.01 * centimetres);
+    add("range_table/" + suffix, ranges, "maze", 0.01 * centimetres);
   }
   add("energy_grid/building", energyGrid, "building", 0.05);
-  add("energy_grid/building/read", readGrid, "building", 0.05);
+  add("range_table/building", ranges, "building", 0.05);
+  add("range_table/building/read", readGrid, "building", 0.05);
   for (const std::string world : {"maze", "expansion", "symmetric", "building"}) {
     benchmark::RegisterBenchmark(("global_search/" + world).c_str(), globalSearch, world)
         ->Unit(benchmark::kMillisecond);

@@ -40,36 +40,36 @@ std::string contentsOf(const std::string& file) {
 class GridCacheTest : public testing::Test {
  protected:
   struct Made {
-    std::shared_ptr<const EnergyGrid> grid;
+    std::shared_ptr<const RangeTable> table;
     std::vector<std::string> warnings;
     bool was_read;
   };
-  Made make(const EnergyGridOptions& options = {}, int spacing = 1,
-            const ScanGeometry& geometry = halfCircle()) const {
+  Made make(double max_range = 10.0, int spacing = 1) const {
     GridCache cache(folder_, *map_);
-    auto grid = cache.grid(cache.ranges(10.0, spacing), geometry, options);
-    return {std::move(grid), cache.warnings(), cache.hadAll()};
+    auto table = cache.ranges(max_range, spacing);
+    return {std::move(table), cache.warnings(), cache.hadAll()};
   }
 
-  void expectSame(const EnergyGrid& a, const EnergyGrid& b) const {
-    ASSERT_EQ(a.size(), b.size());
-    ASSERT_EQ(a.bytes(), b.bytes());
-    EXPECT_EQ(a.ranges().spacing(), b.ranges().spacing());
-    EXPECT_EQ(a.ranges().maxRange(), b.ranges().maxRange());
-    for (std::size_t i = 0; i < a.size(); i += 11) {
-      const Pose2 p = a.pose(i), q = b.pose(i);
-      ASSERT_TRUE(p.x == q.x && p.y == q.y && p.theta == q.theta);
-      ASSERT_EQ(a.energy(i), b.energy(i));
-    }
-    for (std::size_t i = 0; i < a.ranges().size(); ++i) {
-      ASSERT_EQ(std::memcmp(a.ranges().ranges(i), b.ranges().ranges(i), kRangeStride), 0);
-    }
+  std::vector<SearchPose> found(const std::shared_ptr<const RangeTable>& table) const {
     Rng rng(1);
-    const DirectionalScan scan = randomScan(rng, 91);
-    const auto found = searchOn(std::make_shared<const EnergyGrid>(a), map_)->findPoses(scan);
-    const auto again = searchOn(std::make_shared<const EnergyGrid>(b), map_)->findPoses(scan);
-    ASSERT_EQ(found.size(), again.size());
-    for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(found[i].cell, again[i].cell);
+    const auto grid = std::make_shared<const EnergyGrid>(table, halfCircle(table->maxRange()),
+                                                         EnergyGridOptions{});
+    return searchOn(grid, map_)->findPoses(randomScan(rng, 91));
+  }
+
+  void expectSame(const std::shared_ptr<const RangeTable>& a,
+                  const std::shared_ptr<const RangeTable>& b) const {
+    ASSERT_EQ(a->size(), b->size());
+    ASSERT_EQ(a->bytes(), b->bytes());
+    EXPECT_EQ(a->spacing(), b->spacing());
+    EXPECT_EQ(a->maxRange(), b->maxRange());
+    for (std::size_t i = 0; i < a->size(); ++i) {
+      ASSERT_EQ(a->centre(i), b->centre(i));
+      ASSERT_EQ(std::memcmp(a->ranges(i), b->ranges(i), kRangeStride), 0);
+    }
+    const auto by_a = found(a), by_b = found(b);
+    ASSERT_EQ(by_a.size(), by_b.size());
+    for (std::size_t i = 0; i < by_a.size(); ++i) ASSERT_EQ(by_a[i].cell, by_b[i].cell);
   }
 
   /// What is said when a file of the cache has these contents; the file is put right.
@@ -80,7 +80,7 @@ class GridCacheTest : public testing::Test {
     const Made made = make();
     EXPECT_THAT(made.warnings,
                 ElementsAre(AllOf(HasSubstr(file), HasSubstr(complaint), HasSubstr("made anew"))));
-    expectSame(*made.grid, *gridOf(map_));
+    expectSame(made.table, gridOf(map_)->sharedRanges());
     EXPECT_EQ(contentsOf(file), right) << "rewritten";
     EXPECT_THAT(make().warnings, IsEmpty());
   }
@@ -92,38 +92,33 @@ class GridCacheTest : public testing::Test {
 
 TEST_F(GridCacheTest, GivesWhatItWasGiven) {
   for (const int spacing : {1, 2}) {
-    const Made first = make({}, spacing), second = make({}, spacing);
+    const Made first = make(10.0, spacing), second = make(10.0, spacing);
     EXPECT_THAT(first.warnings, IsEmpty());
     EXPECT_THAT(second.warnings, IsEmpty());
     EXPECT_FALSE(first.was_read);
     EXPECT_TRUE(second.was_read);
-    EXPECT_EQ(second.grid->ranges().spacing(), spacing);
-    expectSame(*first.grid, *second.grid);
+    EXPECT_EQ(second.table->spacing(), spacing);
+    expectSame(first.table, second.table);
   }
-  EXPECT_EQ(filesIn(folder_).size(), 4U) << "and nothing unfinished";
+  EXPECT_EQ(filesIn(folder_).size(), 2U) << "and nothing unfinished";
 }
 
 TEST_F(GridCacheTest, KeepsWhatItGaveWhenTheFilesGo) {
   make();
   const Made read = make();
   fs::remove_all(folder_);
-  expectSame(*read.grid, *gridOf(map_));
+  expectSame(read.table, gridOf(map_)->sharedRanges());
 }
 
 TEST_F(GridCacheTest, TellsApartAllThatMattersAndNothingElse) {
   make();
   const MapPtr original = map_;
-  const auto isMade = [&](const EnergyGridOptions& options = {}, int spacing = 1) {
-    return !make(options, spacing).was_read;
+  const auto isMade = [&](double max_range = 10.0, int spacing = 1) {
+    return !make(max_range, spacing).was_read;
   };
-  EnergyGridOptions other;
-  other.ser_delta = 0.1;
-  EXPECT_FALSE(isMade(other)) << "only for questions";
-  other.energy_beams = 20;
-  EXPECT_TRUE(isMade(other));
-  other.energy_orientations = 10;
-  EXPECT_TRUE(isMade(other));
-  EXPECT_TRUE(isMade({}, 2));
+  EXPECT_FALSE(isMade());
+  EXPECT_TRUE(isMade(5.0));
+  EXPECT_TRUE(isMade(10.0, 2));
   map_ = smallRoom();
   EXPECT_TRUE(isMade()) << "origin";
   map_ = toyWorld({"...", "..."}, 0.2, {1.0, 2.0, 0.5});
@@ -133,42 +128,46 @@ TEST_F(GridCacheTest, TellsApartAllThatMattersAndNothingElse) {
   map_ = std::make_shared<const OccupancyGrid>(original->lattice(), cells);
   EXPECT_TRUE(isMade()) << "one cell";
   map_ = original;
-  ScanGeometry wide = halfCircle();
-  wide.count = 120;
-  EXPECT_FALSE(make({}, 1, wide).was_read);
-  ScanGeometry turned = halfCircle();
-  turned.first = 7;
-  turned.position.x() = 0.3;
-  make();  // it may have had to go
-  const Made same = make({}, 1, turned);
-  EXPECT_TRUE(same.was_read) << "energies are those of the laser, wherever it sits";
-  EXPECT_TRUE(same.grid->geometry() == turned);
-  EXPECT_EQ(GridCache(folder_, *map_).ranges(5.0, 1)->maxRange(), 5.0);
+  EXPECT_FALSE(isMade());
+  EXPECT_EQ(make(5.0).table->maxRange(), 5.0);
+}
+
+/// Of several lasers, or with other options of energies.
+TEST_F(GridCacheTest, IsSharedByAllGeometries) {
+  EnergyGridOptions options;
+  options.cache_dir = folder_;
+  for (const int beams : {30, 20}) {
+    options.energy_beams = beams;
+    Places places(map_, std::make_shared<const DistanceField>(*map_), options, {});
+    for (const int count : {91, 61}) {
+      const ToyLaser laser{count, -kPi / 2, kPi / 2 - (91 - count) * kDirectionStep, 20.0};
+      EXPECT_TRUE(places.energyGrid(toScan(laser.read(map_, {1.5, 1.0, 0.0}))));
+    }
+  }
+  EXPECT_EQ(filesIn(folder_).size(), 1U);
 }
 
 TEST_F(GridCacheTest, MakesDamagedFilesAnew) {
   make();
   Rng rng(1);
-  for (const std::string kind : {"ranges_", "energies_"}) {
-    const std::string file = filesIn(folder_, kind).front();
-    const std::string right = contentsOf(file);
-    const auto changed = [&](std::size_t at, const std::string& to) {
-      return std::string(right).replace(at, to.size(), to);
-    };
-    expectComplaint(file, "", "cut short");
-    expectComplaint(file, right.substr(0, 50), "cut short");
-    expectComplaint(file, right.substr(0, right.size() / 2), "cut short");
-    expectComplaint(file, std::string(5000, 'x'), "not an energy grid");
-    expectComplaint(file, changed(8, std::string("\1\2\3\4", 4)), "another kind of machine");
-    expectComplaint(file, changed(12, std::string("\7\0\0\0", 4)), "version 7, expected 1");
-    expectComplaint(file, changed(16, "otherkey"), "made from something else");
-    expectComplaint(file, changed(24, std::string(64, '\xff')), "cut short");
-    expectComplaint(file, changed(24, std::string(64, '\0')), "checksum");
-    for (int n = 0; n < 20; ++n) {  // any bit of the largest array
-      const std::size_t at = right.size() / 4 + rng.below(right.size() / 4);
-      const auto flipped = static_cast<char>(right[at] ^ (1 << rng.below(8)));
-      expectComplaint(file, changed(at, std::string(1, flipped)), "checksum");
-    }
+  const std::string file = filesIn(folder_).front();
+  const std::string right = contentsOf(file);
+  const auto changed = [&](std::size_t at, const std::string& to) {
+    return std::string(right).replace(at, to.size(), to);
+  };
+  expectComplaint(file, "", "cut short");
+  expectComplaint(file, right.substr(0, 50), "cut short");
+  expectComplaint(file, right.substr(0, right.size() / 2), "cut short");
+  expectComplaint(file, std::string(5000, 'x'), "not an energy grid");
+  expectComplaint(file, changed(8, std::string("\1\2\3\4", 4)), "another kind of machine");
+  expectComplaint(file, changed(12, std::string("\7\0\0\0", 4)), "version 7, expected 1");
+  expectComplaint(file, changed(16, "otherkey"), "made from something else");
+  expectComplaint(file, changed(24, std::string(64, '\xff')), "cut short");
+  expectComplaint(file, changed(24, std::string(64, '\0')), "checksum");
+  for (int n = 0; n < 20; ++n) {  // any bit of the largest array
+    const std::size_t at = right.size() / 4 + rng.below(right.size() / 4);
+    const auto flipped = static_cast<char>(right[at] ^ (1 << rng.below(8)));
+    expectComplaint(file, changed(at, std::string(1, flipped)), "checksum");
   }
 }
 
@@ -189,13 +188,11 @@ TEST_F(GridCacheTest, KeepsTheFilesUsedLastAndOthersFiles) {
   make();
   std::ofstream(folder_ + "/precious.txt") << "mine";
   const std::string precious = folder_ + "/precious.txt";
-  const auto first = filesIn(folder_, "energies_");
+  const auto first = filesIn(folder_, "ranges_");
   const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  for (int beams = 1; beams <= 20; ++beams) {
-    EnergyGridOptions options;
-    options.energy_beams = beams;
-    make(options);
-    for (const auto& file : filesIn(folder_, "energies_")) fs::last_write_time(file, old);
+  for (int metres = 11; metres <= 30; ++metres) {
+    make(metres);
+    for (const auto& file : filesIn(folder_, "ranges_")) fs::last_write_time(file, old);
     EXPECT_TRUE(make().was_read) << "in use all the time";
   }
   EXPECT_EQ(filesIn(folder_).size(), 9U);

@@ -9,7 +9,6 @@
 
 #include "adaptive_localization/map/distance_field.hpp"
 #include "core/parallel.hpp"
-#include "ser/energy_grid.hpp"
 #include "ser_toys.hpp"
 #include "support/random_grid.hpp"
 
@@ -191,8 +190,6 @@ TEST(RangeTable, StopsWhenItIsNoLongerWanted) {
   EXPECT_NO_THROW(RangeTable(*maze(), 10.0, 1, stop));
   source.stop();
   EXPECT_THROW(RangeTable(*maze(), 10.0, 1, stop), Stopped);
-  const auto table = std::make_shared<const RangeTable>(*maze(), 10.0);
-  EXPECT_THROW(EnergyGrid(table, ScanGeometry{{0.0, 0.0}, 10.0, 0.0, 0, 90}, {}, stop), Stopped);
   EXPECT_THROW(DistanceField(*maze(), stop), Stopped);
 }
 
