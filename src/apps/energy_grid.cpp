@@ -47,11 +47,14 @@ Scan simulate(const EnergyCommand& command, const std::shared_ptr<const Occupanc
   return toScan(scan, LaserMount{}, all_beams);
 }
 
+/// Sorted, too.
 std::shared_ptr<const EnergyGrid> build(const OccupancyGrid& map, const ScanGeometry& geometry,
                                         const EnergyGridOptions& options) {
   ProgressBar bar(kDirections, true, "directions");
-  return std::make_shared<const EnergyGrid>(map, geometry, options,
-                                            [&bar](std::size_t done) { bar.show(done); });
+  auto grid = std::make_shared<const EnergyGrid>(map, geometry, options,
+                                                 [&bar](std::size_t done) { bar.show(done); });
+  grid->energy(0);
+  return grid;
 }
 
 void printHistogram(const EnergyGrid& grid) {
