@@ -53,7 +53,7 @@ std::shared_ptr<const EnergyGrid> build(const OccupancyGrid& map, const ScanGeom
   ProgressBar bar(kDirections, true, "directions");
   auto grid = std::make_shared<const EnergyGrid>(map, geometry, options,
                                                  [&bar](std::size_t done) { bar.show(done); });
-  grid->energy(0);
+  grid->energy(0);  // who asks first has it sorted
   return grid;
 }
 

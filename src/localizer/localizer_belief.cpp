@@ -15,7 +15,7 @@ namespace {
 
 bool isUsable(const Gaussian2& gaussian) {
   return isPlace(gaussian.mean) && gaussian.covariance.allFinite() &&
-         gaussian.covariance.maxCoeff() <= kVariance.high;
+         gaussian.covariance.cwiseAbs().maxCoeff() <= kVariance.high;
 }
 
 bool isUsable(const Particles& particles) {

@@ -25,7 +25,7 @@ class FramePublishers {
     ros::SteadyTime heard;
   };
   struct Frame {
-    Turn last, other;        // that whoever published last, and another one before
+    Turn last, other;        // of the node that published last, and of the one before it
     ros::SteadyTime fought;  // when they took turns last
   };
 

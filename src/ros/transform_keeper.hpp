@@ -11,9 +11,10 @@
 namespace adaptive_localization {
 
 /// Puts transforms into a tf buffer, whatever they are. One that tf2 throws at, which a stamp at
-/// the end of time makes it do, is left out with a warning that names its frames. One from the
-/// future makes tf2 take those that follow for outdated ones and refuse them, until their stamps
-/// have come near it: once a frame's have gone on so for a second, the buffer is emptied.
+/// the end of time makes it do, is left out with a warning that names its frames; one that comes
+/// twice is left out without. One from the future makes tf2 take those that follow for outdated
+/// ones and refuse them, until their stamps have come near it: once a frame's have gone on so for a
+/// second, the buffer is emptied.
 class TransformKeeper {
  public:
   explicit TransformKeeper(tf2::BufferCore& buffer) : buffer_(buffer) {}

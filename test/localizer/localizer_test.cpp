@@ -110,6 +110,9 @@ TEST_F(TrackingLocalizer, RefusesAnInitialPoseBeyondReason) {
   prior = roughly(start_);
   prior.covariance(0, 0) = 1e200;
   EXPECT_THROW(localizer_.reset(prior), std::invalid_argument);
+  prior = roughly(start_);
+  prior.covariance(0, 1) = -1e200;
+  EXPECT_THROW(localizer_.reset(prior), std::invalid_argument);
   EXPECT_EQ(at({}).status, Status::kTracking);
 }
 

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "adaptive_localization/core/pose2.hpp"
+
 namespace adaptive_localization {
 
 /// The range an option's value must lie in, both ends included but for infinite ones.
@@ -22,8 +24,8 @@ constexpr Range kNotNegative{0.0, 1e6};
 constexpr Range kProbability{0.0, 1.0};
 constexpr Range kDeviation{0.0, 1e3};  // standard deviations and noises, m or rad
 constexpr Range kPositiveDeviation{1e-6, 1e3};
-constexpr Range kVariance{0.0, 1e12};    // of a place that may be anywhere, m^2 or rad^2
-constexpr Range kCoordinate{-1e9, 1e9};  // m, to kFarthest of a Pose2; rad
+constexpr Range kVariance{0.0, 1e12};  // of a place that may be anywhere, m^2 or rad^2
+constexpr Range kCoordinate{-kFarthest, kFarthest};  // m; rad
 constexpr Range kWhole{0.0, std::numeric_limits<int>::max()};
 
 using Choices = std::vector<std::string>;  // empty: any text
