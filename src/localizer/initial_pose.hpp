@@ -4,7 +4,7 @@
 namespace adaptive_localization {
 
 /// An initial pose that was given, or none: when it has to be compared with other places
-/// again. At the first scan, and then on the way, ever farther apart.
+/// again. At the first scan, and then on the way, ever farther apart; and on another map once more.
 class InitialPose {
  public:
   InitialPose() = default;
@@ -23,6 +23,12 @@ class InitialPose {
 
   /// The robot is still near the initial pose: from there no scan can tell more.
   bool isFresh() const { return way_ < kFresh; }
+
+  /// It has to be compared with other places now, and then as before, or no more.
+  void checkNow() {
+    left_ = 0.0;
+    if (next_ == 0.0) next_ = 2.0 * kLast;
+  }
 
   /// It was compared with all other places.
   void checked() {

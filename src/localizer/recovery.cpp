@@ -50,7 +50,11 @@ void Recovery::copyStateOf(const Recovery& other) {
   next.range_error_ = range_error_;
   next.confidence_ = confidence_;
   next.confidence_.copyStateOf(other.confidence_);
-  if (ground_.map != other.ground_.map) next.usual_ = usual_;
+  if (ground_.map != other.ground_.map) {
+    next.usual_ = usual_;
+    next.searched_ = false;  // places that only this map has are as good as those known so far
+    if (!next.odds_.isKept()) next.initial_pose_.checkNow();
+  }
   next.proof_ = proof_;
   next.proof_.copyStateOf(other.proof_);
   next.hypotheses_.standOn(ground_, senses_);

@@ -157,7 +157,8 @@ class Recovery {
   bool has_left_{false};        // the core's place was ruled out in this race,
   double left_way_{0.0};        // so long a way ago, m
   std::optional<Pose2> left_;   // a place that was known, by odometry, until another one is as well
-  bool searched_{false};        // since the race was opened
+  bool searched_{false};        // this map, since the race was opened,
+  bool was_searched_{false};    // or one before
   bool explained_{false};       // some place explains the last scan
   bool is_alike_{false};        // scans of this race fit others than the core's as well
   int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,

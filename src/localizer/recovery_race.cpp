@@ -59,7 +59,7 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  searched_ = explained_ = has_left_ = is_alike_ = false;
+  was_searched_ = searched_ = explained_ = has_left_ = is_alike_ = false;
   in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
@@ -114,7 +114,8 @@ void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = *answer;
   initial_pose_.checked();
   is_unchecked_ = false;
-  const double odds = searched_ ? hypotheses_.entry(kLateMalus, odds_) : 0.0;
+  const double malus = searched_ ? kLateMalus : 0.0;
+  const double odds = was_searched_ ? hypotheses_.entry(malus, odds_) : 0.0;
   if (observations.scan.hits() == 0) {
     hypotheses_.addFound(places, odds, roughly());
   } else if (ground_.places->askedBefore(observations)) {
@@ -124,7 +125,7 @@ void Recovery::search(const Observations& observations) {
   }
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
-  searched_ = searched_ || !hypotheses_.isEmpty();
+  was_searched_ = searched_ = searched_ || !hypotheses_.isEmpty();
 }
 
 }  // namespace adaptive_localization

@@ -42,4 +42,23 @@ TEST(InitialPose, OfNobodyIsNeverChecked) {
   EXPECT_FALSE(nobody.isCheckDue());
 }
 
+TEST(InitialPose, IsCheckedOnceMoreWhereThatIsAskedFor) {
+  InitialPose nobody(false);
+  nobody.checkNow();
+  EXPECT_FALSE(nobody.isUnverified());
+  EXPECT_TRUE(nobody.isCheckDue());
+  nobody.checked();
+  nobody.travel(100.0);
+  EXPECT_FALSE(nobody.isCheckDue());
+
+  InitialPose given(true);
+  given.checked();
+  given.checkNow();
+  EXPECT_TRUE(given.isCheckDue());
+  given.checked();
+  EXPECT_FALSE(given.isCheckDue());
+  given.travel(2.0);
+  EXPECT_TRUE(given.isCheckDue());  // as before
+}
+
 }  // namespace adaptive_localization

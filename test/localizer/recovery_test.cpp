@@ -633,6 +633,65 @@ TEST(Recovery, AnotherOneGoesOnWithWhatItKnows) {
   EXPECT_DOUBLE_EQ(other.shareOf(truth), one.shareOf(truth));
 }
 
+/// The twin of a place was ruled out by a wall that another map does not have.
+TEST(Recovery, OnAnotherMapAPlaceIsComparedAnewUnlessTrackingHasEarnedIt) {
+  const auto map = hollow(*toyWorld({"############",  //
+                                     "#..#.......#",  //
+                                     "#..#...#...#",  //
+                                     "#.......#..#",  //
+                                     "#.......#..#",  //
+                                     "############"},
+                                    0.05, {}, 10));
+  for (const double metres : {0.2, 2.5}) {
+    SCOPED_TRACE(metres);
+    Watched one(map);
+    Watched other(symmetricWorld());
+    Pose2 truth{0.8, 1.0, 0.0};
+    one.recovery.reset(Anywhere{});
+    one.believed = truth;
+    one.see(truth, truth);
+    one.track(truth, metres);
+    other.recovery.copyStateOf(one.recovery);
+    other.believed = truth;
+    other.see(truth, truth);
+    const bool is_earned = metres > 2.0;
+    EXPECT_EQ(other.recovery.status(), is_earned ? Status::kTracking : Status::kAmbiguous);
+    EXPECT_EQ(other.shareOf(twinOf(truth)) > 0.0, !is_earned);
+  }
+}
+
+/// The first map has one of two rooms, the second has both, and shows that the twin in the first
+/// room is none.
+TEST(Recovery, PlacesOfAnotherMapJoinTheRace) {
+  Watched one(hollow(*toyWorld({"############????????????",  //
+                                "#..#.......#???????????#",  //
+                                "#..#.......#???????????#",  //
+                                "#.......#..#???????????#",  //
+                                "#.......#..#???????????#",  //
+                                "############????????????"},
+                               0.05, {}, 10)));
+  Watched other(hollow(*toyWorld({"########################",  //
+                                  "#..#.......##..#.......#",  //
+                                  "#..#.......##..#.......#",  //
+                                  "#.......#..##.......#..#",  //
+                                  "#.......#..##.......#..#",  //
+                                  "########################"},
+                                 0.05, {}, 10)));
+  const Pose2 truth{0.8, 1.0, 0.0};
+  one.recovery.reset(Anywhere{});
+  one.believed = truth;
+  one.see(truth, truth);
+  ASSERT_EQ(one.recovery.modes().size(), 2U);
+  other.recovery.copyStateOf(one.recovery);
+  other.believed = truth;
+  other.see(truth, truth);
+  EXPECT_EQ(other.recovery.status(), Status::kAmbiguous);
+  for (const Pose2& there : {truth, twinOf(truth)}) {
+    const Pose2 in_the_other_room{there.x + 6.0, there.y, there.theta};
+    EXPECT_NEAR(other.shareOf(in_the_other_room), 0.25, 0.01);
+  }
+}
+
 /// Where scans do not fit and the core's place then moves by more than odometry can be off, the
 /// robot may have been carried to a place that looks alike, unless a search finds none.
 TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
