@@ -12,6 +12,7 @@
 #include "particle/kidnap_test.hpp"
 #include "particle_filter.hpp"
 #include "presets.hpp"
+#include "shared_parts.hpp"
 #include "swarm_filter.hpp"
 #include "swarm_presets.hpp"
 #include "update_price.hpp"
@@ -111,8 +112,7 @@ std::unique_ptr<Filter> makeSwarmFilter(Rule rule, const FilterContext& context)
                                              context.ground.map, context.ground.field, places,
                                              rayCastFor(fixing, matching, context.ground));
   if (fixing.swarm_match) {
-    parts.match =
-        matchBy(makeScanMatcher(matching, *context.ground.map, context.ground.field->quality()));
+    parts.match = matchBy(scanMatcherFor(context.ground, matching));
   }
   parts.elsewhere = makeSampler(given, context.ground.map, places);
   parts.senses = makeSenses(context.models.senses, given, context.ground.map, context.ground.field);

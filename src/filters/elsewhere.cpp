@@ -3,13 +3,6 @@
 
 namespace adaptive_localization {
 
-std::shared_ptr<Places> placesFor(const Ground& ground, const Parameters& given) {
-  const auto grid = given.read<EnergyGridOptions>();
-  const auto search = given.read<GlobalSearchOptions>();
-  if (ground.places) return ground.places;
-  return std::make_shared<Places>(ground.map, ground.field, grid, search);
-}
-
 std::unique_ptr<PoseSampler> makeSampler(const Parameters& given,
                                          const std::shared_ptr<const OccupancyGrid>& map,
                                          const std::shared_ptr<Places>& places) {

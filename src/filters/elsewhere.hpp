@@ -5,7 +5,6 @@
 #include <string>
 
 #include "adaptive_localization/core/options.hpp"
-#include "adaptive_localization/ser/ground.hpp"
 #include "ser/place_sampler.hpp"
 
 namespace adaptive_localization {
@@ -20,9 +19,6 @@ struct ElsewhereOptions {
            "the energy is similar to the scan's; places, where the scan fits best.");
   }
 };
-
-/// The ground's places, or places of one's own as the options say.
-std::shared_ptr<Places> placesFor(const Ground& ground, const Parameters& given);
 
 /// Draws poses elsewhere, as the options say.
 std::unique_ptr<PoseSampler> makeSampler(const Parameters& given,

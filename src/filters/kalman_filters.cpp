@@ -11,6 +11,7 @@
 #include "elsewhere.hpp"
 #include "match/line_matcher.hpp"
 #include "presets.hpp"
+#include "shared_parts.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -34,12 +35,11 @@ std::unique_ptr<Filter> makeEkfIcp(const FilterContext& context) {
   PlaceSamplerOptions places;
   places.place_ser_share = 0.0;  // the best places alone
   const auto surfaces = surfacesFor(options.ekf_landmarks, given, ground.map->lattice());
-  EkfParts parts{makeMotionModel(context.models.motions, given),
-                 surfaces
-                     ? matchBy(LineMatcher(lines, *surfaces))
-                     : matchBy(makeScanMatcher(matching, *ground.map, ground.field->quality())),
-                 std::make_unique<PlaceSampler>(places, placesFor(ground, given), ground.map),
-                 makeSenses(context.models.senses, given, ground.map, ground.field)};
+  EkfParts parts{
+      makeMotionModel(context.models.motions, given),
+      surfaces ? matchBy(LineMatcher(lines, *surfaces)) : matchBy(scanMatcherFor(ground, matching)),
+      std::make_unique<PlaceSampler>(places, placesFor(ground, given), ground.map),
+      makeSenses(context.models.senses, given, ground.map, ground.field)};
   if (surfaces) parts.sonars.emplace(lines, *surfaces);
   auto scans = makeObservationModel(context.models.observations, given, ground.map, ground.field);
   const bool hits_slide = ground.field->quality().hasThickWalls() && matching.line_map.empty();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/chi_square.hpp"
+#include "filters/shared_parts.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -84,8 +85,8 @@ std::unique_ptr<EstimateRefiner> makeEstimateRefiner(const Registry<MotionDescri
                                                      const Parameters& given, const Ground& ground,
                                                      Senses senses) {
   return std::make_unique<EstimateRefiner>(
-      matchBy(makeScanMatcher(given.read<MatchOptions>(), *ground.map, ground.field->quality())),
-      makeMotionModel(motions, given), std::move(senses));
+      matchBy(scanMatcherFor(ground, given.read<MatchOptions>())), makeMotionModel(motions, given),
+      std::move(senses));
 }
 
 }  // namespace adaptive_localization

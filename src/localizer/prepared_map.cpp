@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "match/surface_maps.hpp"
 #include "ser/places.hpp"
 
 namespace adaptive_localization {
@@ -15,6 +16,9 @@ PreparedMap::PreparedMap(std::shared_ptr<const SetupReader> the_reader, Setup th
     ground.places = std::make_shared<Places>(ground.map, ground.field,
                                              setup.parameters.read<EnergyGridOptions>(),
                                              setup.parameters.read<GlobalSearchOptions>());
+  }
+  if (!ground.surfaces) {
+    ground.surfaces = std::make_shared<SurfaceMaps>(ground.map, ground.field->quality());
   }
   const Registries& registries = reader->registries();
   const FilterContext context{registries, ground, setup.parameters,

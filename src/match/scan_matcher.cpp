@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "alignment.hpp"
-#include "map/thin_walls.hpp"
 #include "match/line_map.hpp"
 
 namespace adaptive_localization {
@@ -49,19 +48,17 @@ ScanMatcher::ScanMatcher(const MatchOptions& options, std::shared_ptr<const Surf
   throw std::invalid_argument(message.str());
 }
 
-ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map,
-                            const MapQuality& quality) {
+ScanMatcher makeScanMatcher(const MatchOptions& options, SurfaceMaps& surfaces) {
   const double reach = 2.0 * options.match_reach;  // of labels: a hit's cell may be beside the wall
   if (options.line_map.empty()) {
-    ScanMatcher matcher(options, std::make_shared<const SurfaceMap>(map, reach));
-    if (quality.hasThickWalls()) {
-      const OccupancyGrid thin = withThinWalls(map, quality.wallDepth());
-      matcher.tryAlso({options, std::make_shared<const SurfaceMap>(thin, reach)});
-    }
+    ScanMatcher matcher(options, surfaces.faces(reach));
+    const auto middles = surfaces.middles(reach);
+    if (middles) matcher.tryAlso({options, middles});
     return matcher;
   }
-  const auto lines = loadLineMap(options.line_map, map.lattice());
-  return {options, std::make_shared<const SurfaceMap>(map.lattice(), lines, reach)};
+  const Lattice& lattice = surfaces.map().lattice();
+  const auto lines = loadLineMap(options.line_map, lattice);
+  return {options, std::make_shared<const SurfaceMap>(lattice, lines, reach)};
 }
 
 Match ScanMatcher::match(const Pose2& guess, const Scan& scan, const Eigen::Matrix3d& prior) const {

@@ -9,10 +9,9 @@
 
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/core/scan.hpp"
-#include "adaptive_localization/map/map_quality.hpp"
 #include "adaptive_localization/match/match.hpp"
 #include "map/wall_vote.hpp"
-#include "match/surface_map.hpp"
+#include "match/surface_maps.hpp"
 
 namespace adaptive_localization {
 
@@ -126,7 +125,6 @@ class ScanMatcher {
 /// thick, on their faces or their middles, whichever the scans fit: walls painted from a plan have
 /// faces where a laser sees them, those made of scans laid over each other inexactly do not. Throws
 /// std::invalid_argument naming the option and what is wrong with it.
-ScanMatcher makeScanMatcher(const MatchOptions& options, const OccupancyGrid& map,
-                            const MapQuality& quality);
+ScanMatcher makeScanMatcher(const MatchOptions& options, SurfaceMaps& surfaces);
 
 }  // namespace adaptive_localization

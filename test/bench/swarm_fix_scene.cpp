@@ -31,8 +31,8 @@ SwarmFixScene::SwarmFixScene(const std::string& world_file, double resolution, d
   rows_ = std::make_shared<const RangeRows>(grid->sharedRanges());
   MatchOptions matching;
   matching.line_map = world_file;
-  matcher_ = std::make_unique<const ScanMatcher>(
-      makeScanMatcher(matching, *map_, distance_field_->quality()));
+  SurfaceMaps surfaces(map_, distance_field_->quality());
+  matcher_ = std::make_unique<const ScanMatcher>(makeScanMatcher(matching, surfaces));
 }
 
 Pose2 SwarmFixScene::place(Rng& rng) const {

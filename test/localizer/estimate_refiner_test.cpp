@@ -27,7 +27,8 @@ class Refining : public testing::Test {
  protected:
   std::shared_ptr<const OccupancyGrid> map_ = asymmetricWorld();
   std::vector<ToyStep> drive_ = toyDrive(map_, 5, 91);
-  EstimateRefiner refiner_{matchBy(makeScanMatcher(MatchOptions{}, *map_, MapQuality(*map_))),
+  SurfaceMaps surfaces_{map_, MapQuality(*map_)};
+  EstimateRefiner refiner_{matchBy(makeScanMatcher(MatchOptions{}, surfaces_)),
                            std::make_unique<DifferentialDrive>(MotionOptions{})};
   Rng rng_{8};
 };

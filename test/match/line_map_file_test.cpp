@@ -39,11 +39,12 @@ TEST(LineMapFile, OfShippedWorldsIsOnTheirMaps) {
   for (const std::string name : {"complex", "corridor", "expansion", "hall", "maze", "office",
                                  "office_moved", "simple", "symmetric", "torus", "warehouse"}) {
     const std::string folder = std::string(SOURCE_DIR) + "/maps/" + name;
-    const OccupancyGrid map = loadMap(folder + "/map.yaml");
-    EXPECT_GT(loadLineMap(folder + "/world.yaml", map.lattice()).size(), 3U) << name;
+    const auto map = std::make_shared<const OccupancyGrid>(loadMap(folder + "/map.yaml"));
+    EXPECT_GT(loadLineMap(folder + "/world.yaml", map->lattice()).size(), 3U) << name;
     MatchOptions options;
     options.line_map = folder + "/world.yaml";
-    EXPECT_NO_THROW(makeScanMatcher(options, map, MapQuality(map))) << name;
+    SurfaceMaps surfaces(map, MapQuality(*map));
+    EXPECT_NO_THROW(makeScanMatcher(options, surfaces)) << name;
   }
 }
 

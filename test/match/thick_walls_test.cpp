@@ -12,8 +12,10 @@ namespace adaptive_localization {
 namespace {
 
 /// How far off matches are at last, while a robot goes about the room and turns, m.
-double lastErrorOf(const OccupancyGrid& map, const std::shared_ptr<const OccupancyGrid>& world) {
-  const ScanMatcher matcher = makeScanMatcher(MatchOptions{}, map, MapQuality(map));
+double lastErrorOf(const std::shared_ptr<const OccupancyGrid>& map,
+                   const std::shared_ptr<const OccupancyGrid>& world) {
+  SurfaceMaps surfaces(map, MapQuality(*map));
+  const ScanMatcher matcher = makeScanMatcher(MatchOptions{}, surfaces);
   Pose2 truth{1.5, 1.5, 0.3};
   double error = 0.0;
   for (int i = 0; i < 10; ++i) {
@@ -28,12 +30,12 @@ double lastErrorOf(const OccupancyGrid& map, const std::shared_ptr<const Occupan
 
 TEST(ThickWalls, AreMatchedWhereScansFit) {
   const auto thick = roomWithWalls(0, 7);
-  EXPECT_LT(lastErrorOf(*thick, roomWithWalls(0, 1)), 0.03) << "faces";
-  EXPECT_LT(lastErrorOf(*thick, roomWithWalls(3, 4)), 0.03) << "middles";
+  EXPECT_LT(lastErrorOf(thick, roomWithWalls(0, 1)), 0.03) << "faces";
+  EXPECT_LT(lastErrorOf(thick, roomWithWalls(3, 4)), 0.03) << "middles";
 }
 
 TEST(ThickWalls, ThinOnesAreMatchedAsEver) {
-  EXPECT_LT(lastErrorOf(*roomWithWalls(0, 1), roomWithWalls(0, 1)), 0.03);
+  EXPECT_LT(lastErrorOf(roomWithWalls(0, 1), roomWithWalls(0, 1)), 0.03);
 }
 
 }  // namespace
