@@ -53,6 +53,12 @@ int tryToRead(const Read& read) {
   return 0;
 }
 
+/// Lets a reader read what was written from what it read before: it may not refuse that.
+template <class Read>
+void readAgain(const Read& read) noexcept {
+  read();
+}
+
 /// Gives the bytes as a file to a reader of files.
 template <class Read>
 int tryFile(const std::uint8_t* data, std::size_t size, const std::string& name, const Read& read) {

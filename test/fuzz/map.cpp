@@ -6,5 +6,9 @@ namespace al = adaptive_localization;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string image = al::inputFolder().write("map.pgm", "P5\n4 3\n255\n............");
-  return al::tryFile(data, size, "map.yaml", [](const auto& file) { al::loadMap(file); });
+  static const std::string saved = al::inputFolder().file("saved");
+  return al::tryFile(data, size, "map.yaml", [](const auto& file) {
+    al::saveMap(al::loadMap(file), saved);
+    al::readAgain([] { al::loadMap(saved + ".yaml"); });
+  });
 }

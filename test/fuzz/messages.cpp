@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages with any numbers in them, as the node takes them.
+// Messages with any numbers in them, as the node takes them, and those that it makes of them.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include "../src/ros/conversions.hpp"
@@ -34,7 +34,9 @@ void readScan(FuzzedDataProvider& given) {
   message.intensities = numbers<float>(given);
   al::ScanOptions options;
   options.laser_max_beams = given.ConsumeIntegralInRange(2, 100);
-  al::toScan(al::toLaserScan(message), al::LaserMount{}, options);
+  const al::LaserScan scan = al::toLaserScan(message);
+  al::toMessage(scan);
+  al::toScan(scan, al::LaserMount{}, options);
 }
 
 void readMap(FuzzedDataProvider& given) {
@@ -47,7 +49,7 @@ void readMap(FuzzedDataProvider& given) {
   message.info.origin.orientation.z = number(given);
   message.info.origin.orientation.w = number(given);
   message.data = numbers<std::int8_t>(given);
-  al::toGrid(message, given.ConsumeBool());
+  al::toMessage(al::toGrid(message, given.ConsumeBool()));
 }
 
 void readPatch(FuzzedDataProvider& given) {
@@ -60,11 +62,47 @@ void readPatch(FuzzedDataProvider& given) {
   al::toPatch(message);
 }
 
+geometry_msgs::Quaternion readRotation(FuzzedDataProvider& given) {
+  geometry_msgs::Quaternion message;
+  message.x = number(given);
+  message.y = number(given);
+  message.z = number(given);
+  message.w = number(given);
+  return message;
+}
+
+void readPose(FuzzedDataProvider& given) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose.position.x = number(given);
+  message.pose.position.y = number(given);
+  message.pose.orientation = readRotation(given);
+  for (double& entry : message.covariance) entry = number(given);
+  const al::Gaussian2 pose = al::toGaussian(message);
+  al::toMessage(pose.mean, pose.covariance);
+  al::Particles particles(1);
+  particles.setPose(0, pose.mean);
+  al::toMessage(particles);
+}
+
+void readTransform(FuzzedDataProvider& given) {
+  geometry_msgs::Transform message;
+  message.translation.x = number(given);
+  message.translation.y = number(given);
+  message.translation.z = number(given);
+  message.rotation = readRotation(given);
+  const al::Pose2 pose = al::toPose2(message);
+  al::checkPlace("base", "odom", pose.x, pose.y, 1e9);
+  al::toTransformMessage(pose);
+  al::toMount(message);
+  al::toTransformMessage(al::toIsometry(message));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider given(data, size);
-  void (*const readers[])(FuzzedDataProvider&) = {readScan, readMap, readPatch};
-  const auto read = readers[given.ConsumeIntegralInRange<std::size_t>(0, 2)];
+  void (*const readers[])(FuzzedDataProvider&) = {readScan, readMap, readPatch, readPose,
+                                                  readTransform};
+  const auto read = given.PickValueInArray(readers);
   return al::tryToRead([&] { read(given); });
 }

@@ -6,5 +6,8 @@
 namespace al = adaptive_localization;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return al::tryFile(data, size, "pose.yaml", [](const auto& file) { al::readPoseFile(file); });
+  return al::tryFile(data, size, "pose.yaml", [](const auto& file) {
+    al::writePoseFile(file, al::readPoseFile(file).value());
+    al::readAgain([&] { al::readPoseFile(file).value(); });
+  });
 }
