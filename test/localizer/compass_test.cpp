@@ -57,6 +57,8 @@ TEST(Compass, IsNotHeardWhileDisturbedAndKeepsItsOffset) {
   EXPECT_FALSE(compass.inMap(Heading{0.0, 0.1}));
   drive(compass, 0.1 + kPi / 2, 20.0);
   EXPECT_NEAR(compass.offset(), 0.1, 0.02);
+  drive(compass, 0.1, 0.1);
+  EXPECT_TRUE(compass.isDisturbed()) << "one reading proves nothing";
   drive(compass, 0.1, 1.0);
   ASSERT_TRUE(compass.inMap(Heading{0.0, 0.1}));
   EXPECT_NEAR(compass.inMap(Heading{0.0, 0.1})->theta, 0.1, 0.02);

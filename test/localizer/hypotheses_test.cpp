@@ -300,6 +300,20 @@ TEST(Hypotheses, APlaceThatDriftedOffIsAlignedFromWhereASearchFoundIt) {
   }
 }
 
+/// Odds that were earned stay where odometry and the core have the robot.
+TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
+  const Pose2 ridden = kTruth * Pose2{-0.4, 0.0, 0.0}, core = kTruth * Pose2{-0.55, 0.0, 0.0};
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(ridden, TrackingOdds(true));
+  hypotheses.addFound({{kTruth, 0.01}, {ridden, 0.2}}, 0.0);
+  hypotheses.note(core);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  const std::vector<Mode> modes = hypotheses.modes();
+  ASSERT_EQ(modes.size(), 2U);
+  EXPECT_LT(distance(modes[0].T_map_base, core), 0.5);
+  EXPECT_LT(distance(modes[1].T_map_base, kTruth), 0.05);
+}
+
 /// So many, the first ones of a grid.
 std::vector<Place> placesOfGrid(int count) {
   std::vector<Place> places;
