@@ -84,6 +84,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   way_ = 0.0;
   modes_ = hypotheses_.modes();
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
+  if (!explained_) pace_.miss(hypotheses_.leastError());
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);

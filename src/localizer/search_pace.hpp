@@ -52,6 +52,10 @@ class SearchPace {
   /// A place that was known before fits the scan that was searched for, with this error, m.
   void explain(double error) { error_ = std::min(error_, error); }
 
+  /// A scan fits none of the places better than with this error, m: the robot may have been carried
+  /// to one that is not among them.
+  void miss(double error) { error_ = std::max(error_, error); }
+
   /// Takes note of a search, and how badly the scan fits the best place that it found, m.
   void searched(bool has_come_to_something, double error) {
     pause_ = has_come_to_something ? 0 : std::min(kLongestPause, 2 * pause_ + 1);
@@ -70,7 +74,7 @@ class SearchPace {
   int scans_left_{0};
   double way_{0.0};
   double error_without_better_{RangeError::kTruncation};
-  double error_{RangeError::kTruncation};  // of the best place found since the race began, m
+  double error_{RangeError::kTruncation};  // of the best place found since a scan fitted none, m
 };
 
 }  // namespace adaptive_localization

@@ -55,6 +55,11 @@ TEST(SearchPace, KnowsThatAScanWhichFittedNowhereFoundNotAll) {
   EXPECT_TRUE(pace.wasBlind(0.05));
   pace.searched(true, 0.06);  // searched again
   EXPECT_FALSE(pace.wasBlind(0.01));
+  pace.miss(0.3);
+  EXPECT_FALSE(pace.wasBlind(0.16));
+  EXPECT_TRUE(pace.wasBlind(0.05));
+  pace.searched(true, 0.06);
+  EXPECT_FALSE(pace.wasBlind(0.05));
   pace.begin();
   EXPECT_TRUE(pace.wasBlind(0.05));
 }
