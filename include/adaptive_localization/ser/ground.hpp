@@ -17,8 +17,7 @@ class SurfaceMaps;
 struct Ground {
   Ground() = default;
 
-  /// Makes the field where it is not given. Without places or surfaces, each user makes its
-  /// own.
+  /// Makes the field where it is not given. Without places or surfaces, each user makes its own.
   Ground(std::shared_ptr<const OccupancyGrid> the_map,
          std::shared_ptr<const DistanceField> the_field = nullptr,
          std::shared_ptr<Places> the_places = nullptr)
