@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "adaptive_localization/map/map_quality.hpp"
 #include "match/surface_map.hpp"

@@ -1,37 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages with any numbers in them, as the node takes them, and those that it makes of them.
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include "../src/ros/conversions.hpp"
+#include "fuzz/any_numbers.hpp"
 #include "fuzz/input_file.hpp"
 
 namespace al = adaptive_localization;
 
 namespace {
 
-template <class Number>
-std::vector<Number> numbers(FuzzedDataProvider& given) {
-  std::vector<Number> all(given.ConsumeIntegralInRange<std::size_t>(0, 64));
-  if (!all.empty()) given.ConsumeData(all.data(), all.size() * sizeof(Number));
-  return all;
-}
-
-double number(FuzzedDataProvider& given) {
-  return given.ConsumeBool() ? given.ConsumeFloatingPoint<double>()
-                             : given.ConsumeFloatingPointInRange(-10.0, 10.0);
-}
-
 void readScan(FuzzedDataProvider& given) {
   sensor_msgs::LaserScan message;
   message.header.stamp.fromSec(given.ConsumeFloatingPointInRange(0.0, 1e9));
-  message.angle_min = static_cast<float>(number(given));
-  message.angle_max = static_cast<float>(number(given));
-  message.angle_increment = static_cast<float>(number(given));
-  message.time_increment = static_cast<float>(number(given));
-  message.range_min = static_cast<float>(number(given));
-  message.range_max = static_cast<float>(number(given));
-  message.ranges = numbers<float>(given);
-  message.intensities = numbers<float>(given);
+  message.angle_min = static_cast<float>(al::anyNumber(given));
+  message.angle_max = static_cast<float>(al::anyNumber(given));
+  message.angle_increment = static_cast<float>(al::anyNumber(given));
+  message.time_increment = static_cast<float>(al::anyNumber(given));
+  message.range_min = static_cast<float>(al::anyNumber(given));
+  message.range_max = static_cast<float>(al::anyNumber(given));
+  message.ranges = al::anyNumbers<float>(given, 64);
+  message.intensities = al::anyNumbers<float>(given, 64);
   al::ScanOptions options;
   options.laser_max_beams = given.ConsumeIntegralInRange(2, 100);
   const al::LaserScan scan = al::toLaserScan(message);
@@ -43,12 +30,12 @@ void readMap(FuzzedDataProvider& given) {
   nav_msgs::OccupancyGrid message;
   message.info.width = given.ConsumeIntegralInRange<std::uint32_t>(0, 9);
   message.info.height = given.ConsumeIntegralInRange<std::uint32_t>(0, 9);
-  message.info.resolution = static_cast<float>(number(given));
-  message.info.origin.position.x = number(given);
-  message.info.origin.position.y = number(given);
-  message.info.origin.orientation.z = number(given);
-  message.info.origin.orientation.w = number(given);
-  message.data = numbers<std::int8_t>(given);
+  message.info.resolution = static_cast<float>(al::anyNumber(given));
+  message.info.origin.position.x = al::anyNumber(given);
+  message.info.origin.position.y = al::anyNumber(given);
+  message.info.origin.orientation.z = al::anyNumber(given);
+  message.info.origin.orientation.w = al::anyNumber(given);
+  message.data = al::anyNumbers<std::int8_t>(given, 64);
   al::toMessage(al::toGrid(message, given.ConsumeBool()));
 }
 
@@ -58,25 +45,25 @@ void readPatch(FuzzedDataProvider& given) {
   message.y = given.ConsumeIntegral<std::int32_t>();
   message.width = given.ConsumeIntegralInRange<std::uint32_t>(0, 9);
   message.height = given.ConsumeIntegralInRange<std::uint32_t>(0, 9);
-  message.data = numbers<std::int8_t>(given);
+  message.data = al::anyNumbers<std::int8_t>(given, 64);
   al::toPatch(message);
 }
 
 geometry_msgs::Quaternion readRotation(FuzzedDataProvider& given) {
   geometry_msgs::Quaternion message;
-  message.x = number(given);
-  message.y = number(given);
-  message.z = number(given);
-  message.w = number(given);
+  message.x = al::anyNumber(given);
+  message.y = al::anyNumber(given);
+  message.z = al::anyNumber(given);
+  message.w = al::anyNumber(given);
   return message;
 }
 
 void readPose(FuzzedDataProvider& given) {
   geometry_msgs::PoseWithCovariance message;
-  message.pose.position.x = number(given);
-  message.pose.position.y = number(given);
+  message.pose.position.x = al::anyNumber(given);
+  message.pose.position.y = al::anyNumber(given);
   message.pose.orientation = readRotation(given);
-  for (double& entry : message.covariance) entry = number(given);
+  for (double& entry : message.covariance) entry = al::anyNumber(given);
   const al::Gaussian2 pose = al::toGaussian(message);
   al::toMessage(pose.mean, pose.covariance);
   al::Particles particles(1);
@@ -86,9 +73,9 @@ void readPose(FuzzedDataProvider& given) {
 
 void readTransform(FuzzedDataProvider& given) {
   geometry_msgs::Transform message;
-  message.translation.x = number(given);
-  message.translation.y = number(given);
-  message.translation.z = number(given);
+  message.translation.x = al::anyNumber(given);
+  message.translation.y = al::anyNumber(given);
+  message.translation.z = al::anyNumber(given);
   message.rotation = readRotation(given);
   const al::Pose2 pose = al::toPose2(message);
   al::checkPlace("base", "odom", pose.x, pose.y, 1e9);

@@ -660,8 +660,7 @@ TEST(Recovery, OnAnotherMapAPlaceIsComparedAnewUnlessTrackingHasEarnedIt) {
   }
 }
 
-/// The first map has one of two rooms, the second has both, and shows that the twin in the first
-/// room is none.
+/// The first map has one of two rooms, the second has both.
 TEST(Recovery, PlacesOfAnotherMapJoinTheRace) {
   Watched one(hollow(*toyWorld({"############????????????",  //
                                 "#..#.......#???????????#",  //

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is said of where the robot is known to be.
+#include <algorithm>
+
+#include "localizer/recovery.hpp"
+
+namespace adaptive_localization {
+
+void Recovery::updateStatus() {
+  status_ = judge();
+  was_tracking_ = was_tracking_ || (is_settled_ && status_ == Status::kTracking);
+}
+
+/// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
+/// no scan told it from all others; nor is a place that hardly explains the scans, however usual
+/// such scans are: so badly they fit many another; nor one of a lost robot while others are being
+/// searched for. A place that scans alone told is one of several until it is proven.
+Status Recovery::judge() const {
+  if (initial_pose_.isUnverified()) return Status::kGlobalizing;
+  const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
+  const bool is_taken = hypotheses_.isByWord() && initial_pose_.isFresh() && unexplained_ == 0;
+  if (!is_settled_ && !is_taken) {
+    const bool fits = confidence_.latestFit() >= kFoundFit;
+    return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
+  }
+  const bool was_lost = status_ == Status::kLost || !was_tracking_;
+  if (was_lost && in_doubt_) return nowhere;
+  const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
+  const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
+  if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
+  if (!confidence_.isCompact()) return nowhere;
+  if (confidence_.isAmbiguous()) return Status::kAmbiguous;
+  if (!fits) return nowhere;
+  return proof_.isGiven() && !is_unchecked_ ? Status::kTracking : Status::kAmbiguous;
+}
+
+}  // namespace adaptive_localization
