@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -96,6 +97,55 @@ Log thin(const Log& log, double way, Rng&) {
   return {std::move(kept), log.warnings, log.skipped};
 }
 
+/// Mean time from scan to scan, s.
+double periodOf(const std::vector<LogScan>& scans) {
+  return (scans.back().scan.stamp - scans.front().scan.stamp) /
+         static_cast<double>(scans.size() - 1);
+}
+
+/// Where pieces of the log begin, and its end.
+std::vector<std::size_t> cut(const std::vector<LogScan>& scans, double seconds) {
+  std::vector<std::size_t> ends{0};
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    if (scans[i].scan.stamp - scans[ends.back()].scan.stamp >= seconds) ends.push_back(i);
+  }
+  ends.push_back(scans.size());
+  return ends;
+}
+
+/// A piece of a log after others: odometry rests while the robot is carried to where it begins, and
+/// the gyroscope, which would notice, is not heard.
+void append(std::vector<LogScan> piece, double period, std::vector<LogScan>& scans) {
+  const LogScan first = piece.front();
+  const LogScan& before = scans.empty() ? first : scans.back();
+  const double later = before.scan.stamp - first.scan.stamp + (scans.empty() ? 0.0 : period);
+  const Pose2 T_new_old = before.T_odom_base * inverse(first.T_odom_base);
+  for (LogScan& scan : piece) {
+    scan.scan.stamp += later;
+    scan.T_odom_base = T_new_old * scan.T_odom_base;
+    scan.gyro.reset();
+    scans.push_back(std::move(scan));
+  }
+}
+
+/// The robot starts where it did, and then drives the other pieces in any order.
+Log carry(const Log& log, double seconds, Rng& rng) {
+  if (log.scans.size() < 2) return log;
+  const auto ends = cut(log.scans, seconds);
+  std::vector<std::size_t> order(ends.size() - 1);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = order.size() - 1; i > 1; --i) std::swap(order[i], order[1 + rng.below(i)]);
+  Log carried{{}, log.warnings, log.skipped};
+  for (const std::size_t piece : order) {
+    const auto at = [&](std::size_t i) {
+      return log.scans.begin() + static_cast<std::ptrdiff_t>(ends[i]);
+    };
+    append({at(piece), at(piece + 1)}, periodOf(log.scans), carried.scans);
+  }
+  if (order.size() < 2) carried.warnings.push_back("not carried: the log is too short");
+  return carried;
+}
+
 }  // namespace
 
 Log restamped(Log log, double seconds) {
@@ -124,7 +174,8 @@ const Damages<Log>& logDamages() {
       {{"scale", 0.02, {-0.9, 1.0}, "", "odometry makes ways longer by this share"}, scale},
       {{"lost", 0.3, {0.0, 1.0}, "", "this share of the scans is missing"}, lose},
       {{"late", 0.1, {0.0, 10.0}, "s", "scans are stamped this much too late"}, delay},
-      {{"thin", 1.0, {0.0, 1e6}, "m", "one scan on this much of the way"}, thin}};
+      {{"thin", 1.0, {0.0, 1e6}, "m", "one scan on this much of the way"}, thin},
+      {{"carried", 30.0, {1.0, 1e6}, "s", "pieces of this length in another order"}, carry}};
   return all;
 }
 

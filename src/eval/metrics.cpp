@@ -34,8 +34,7 @@ double headingError(const RunStep& step) {
 }
 
 bool isFound(const RunStep& step) {
-  return distance(step.T_map_base, *step.T_map_base_reference) <= kLostDistance &&
-         headingError(step) <= kLostHeading;
+  return isNear(step.T_map_base, *step.T_map_base_reference);
 }
 
 std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
@@ -74,6 +73,7 @@ std::optional<ErrorMetrics> measureErrors(const std::vector<RunStep>& steps) {
   errors.misled_share = static_cast<double>(misled) / static_cast<double>(positions.size());
   errors.tracking_at_s = tracking_at;
   errors.calibration = calibration;
+  errors.carryings = carryingsOf(steps);
   addConsistency(steps, errors);
   return errors;
 }

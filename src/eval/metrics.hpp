@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "eval/calibration.hpp"
+#include "eval/carryings.hpp"
 #include "eval/run.hpp"
 
 namespace adaptive_localization {
-
-/// Further off than this the robot counts as lost.
-constexpr double kLostDistance = 0.5;                // m
-constexpr double kLostHeading = 20.0 * kPi / 180.0;  // rad
 
 /// Errors of the estimate against the reference, at every scan that has one, without any alignment
 /// of the trajectories: the absolute trajectory error of Sturm et al. (2012) in a common frame.
@@ -35,6 +32,7 @@ struct ErrorMetrics {
   double misled_longest_s{0.0};         // the longest time of that
   std::optional<double> tracking_at_s;  // after the first scan; when it first said "tracking"
   Calibration calibration;
+  Carryings carryings;
 };
 
 /// All numbers of one run.

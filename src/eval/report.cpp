@@ -36,6 +36,7 @@ nlohmann::json errorsToJson(const Metrics& metrics) {
                   {"median", error(&ErrorMetrics::nees_median)},
                   {"in_band", error(&ErrorMetrics::nees_in_band)}};
   json["calibration"] = error(&ErrorMetrics::calibration);
+  json["carried"] = error(&ErrorMetrics::carryings);
   return json;
 }
 
@@ -87,7 +88,8 @@ std::string summarize(const RunDescription& description, const Metrics& metrics)
     text << std::setprecision(3) << "error " << metrics.errors->ate_rmse_m << " m rms, "
          << metrics.errors->ate_max_m << " m at most, " << std::setprecision(2)
          << metrics.errors->heading_rmse_deg << " deg rms, lost " << std::setprecision(1)
-         << 100.0 * metrics.errors->lost_share << " % of the scans; ";
+         << 100.0 * metrics.errors->lost_share << " % of the scans; "
+         << toText(metrics.errors->carryings);
   } else {
     text << "no reference; ";
   }

@@ -193,6 +193,39 @@ TEST(LogSpoiler, ThinKeepsAScanPerMetre) {
   }
 }
 
+TEST(LogSpoiler, CarriedDrivesPiecesInAnotherOrderAndOdometryKnowsNothing) {
+  const Log good = squares(10);
+  const Log spoiled = spoil(good, "carried", 10.0, 1);
+  ASSERT_EQ(spoiled.scans.size(), good.scans.size());
+  std::set<float> seen;
+  int carried = 0;
+  for (std::size_t i = 0; i < spoiled.scans.size(); ++i) {
+    const LogScan& scan = spoiled.scans[i];
+    const auto& same = good.scans[static_cast<std::size_t>(scan.scan.ranges[0])];
+    seen.insert(scan.scan.ranges[0]);
+    EXPECT_NEAR(scan.scan.stamp, good.scans[i].scan.stamp, 1e-6) << "one after the other";
+    EXPECT_THAT(*scan.T_map_base, PoseNear(*same.T_map_base, 0.0, 0.0)) << "stays true";
+    if (i == 0) continue;
+    const LogScan& before = spoiled.scans[i - 1];
+    const Pose2 by_odometry = between(before.T_odom_base, scan.T_odom_base);
+    const Pose2 true_motion = between(*before.T_map_base, *scan.T_map_base);
+    if (distance(by_odometry, Pose2{}) < 1e-9 && std::abs(by_odometry.theta) < 1e-9) {
+      ++carried;  // it never rests otherwise
+    } else {
+      EXPECT_EQ(scan.scan.ranges[0], before.scan.ranges[0] + 1.0F);
+      EXPECT_THAT(by_odometry, PoseNear(true_motion, 1e-9, 1e-9));
+    }
+  }
+  EXPECT_EQ(seen.size(), good.scans.size()) << "each scan once";
+  EXPECT_EQ(spoiled.scans[0].scan.ranges[0], 0.0F) << "from the start";
+  EXPECT_EQ(carried, 10) << "110 s";
+}
+
+TEST(LogSpoiler, CarriedSaysThatTheLogIsTooShortForIt) {
+  EXPECT_THAT(spoil(squares(0), "carried", 30.0, 1).warnings,
+              ElementsAre(HasSubstr("not carried")));
+}
+
 TEST(LogSpoiler, ASeedGivesTheSameLogAndAnotherAnother) {
   const Log good = squares(10);
   const auto odometryOf = [](const Log& log) {
@@ -208,15 +241,15 @@ TEST(LogSpoiler, ASeedGivesTheSameLogAndAnotherAnother) {
     };
     EXPECT_EQ(with(7), with(7)) << damage.kind.name;
     EXPECT_NE(with(7), odometryOf(good)) << damage.kind.name;
-    const std::set<std::string> random{"slip", "lost"};
+    const std::set<std::string> random{"slip", "lost", "carried"};
     EXPECT_EQ(with(7) != with(8), random.count(damage.kind.name) > 0) << damage.kind.name;
   }
 }
 
 TEST(LogSpoiler, RefusesUnknownKindsAndAmountsAndToTakeAll) {
   EXPECT_THAT([] { spoil(squares(0), "thick", 0.1, 1); },
-              ThrowsMessage<std::invalid_argument>(
-                  HasSubstr("got 'thick', expected one of slip, scale, lost, late, thin")));
+              ThrowsMessage<std::invalid_argument>(HasSubstr(
+                  "got 'thick', expected one of slip, scale, lost, late, thin, carried")));
   EXPECT_THAT([] { spoil(squares(0), "lost", 1.5, 1); },
               ThrowsMessage<std::invalid_argument>("damage 'lost': got 1.5, expected 0 to 1"));
   EXPECT_THAT([] { spoil(squares(0), "late", 10.0, 1); },

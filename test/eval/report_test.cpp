@@ -39,7 +39,8 @@ TEST(Report, HoldsTheAgreedKeys) {
                           "start",          "tracking_share",
                           "nowhere_share",  "misled_longest_s",
                           "jumps",          "spoil",
-                          "spoil_seed",     "calibration"}) {
+                          "spoil_seed",     "calibration",
+                          "carried"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].is_null()) << key;
   }
