@@ -81,6 +81,12 @@ double Hypotheses::bestBesidesWord() const {
   return best;
 }
 
+double Hypotheses::refuted() const {
+  double most = 0.0;
+  for (const Hypothesis& hypothesis : all_) most = std::max(most, hypothesis.refuted);
+  return most;
+}
+
 bool Hypotheses::lackSome() const {
   return left_out_ && *left_out_ >= bestBesidesWord() - kMargin;
 }

@@ -152,6 +152,10 @@ class Hypotheses {
     return is_kept_ruled_out_ ? std::make_optional(T_map_kept_) : std::nullopt;
   }
 
+  /// What the kept place lost to scans most of which do not fit there, so that furniture is no
+  /// excuse. Log odds.
+  double refuted() const;
+
   /// Likeliest first; their masses sum up to 1. Of those that a scan judged, if it judged any.
   std::vector<Mode> modes() const;
 

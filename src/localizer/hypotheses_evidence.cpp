@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a scan and the other senses say of hypotheses.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -87,11 +88,15 @@ void Hypotheses::choose(double share) {
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
                           double usual) const {
   double lost = loss(hypothesis.error, usual);
-  if (!fits) lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
+  const bool is_outdone = least_error_ < kFarBetter * hypothesis.error;
+  if (!fits && !is_outdone) {
+    lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
+  }
   hypothesis.is_explained = lost == 0.0;
   if (!hypothesis.is_kept) return lost;
   const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
   hypothesis.is_spared = lost > most;
+  hypothesis.is_refuted = std::isinf(most);
   return std::min(lost, most);
 }
 
@@ -112,7 +117,11 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     if (!hypothesis.is_due) continue;
     const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
     const double worth = is_found ? 1.0 : hypothesis.share;
-    if (is_seen) hypothesis.log_odds -= worth * lostBy(refiner, hypothesis, fits, usual);
+    if (is_seen) {
+      const double lost = worth * lostBy(refiner, hypothesis, fits, usual);
+      hypothesis.log_odds -= lost;
+      hypothesis.refuted += hypothesis.is_refuted ? lost : 0.0;
+    }
     for (std::size_t k = 0; k < senses_->parts().size(); ++k) {
       const double by_sense = scored(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
       const double most = senses_->parts()[k]->mostInAll();

@@ -114,7 +114,8 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   ground_.places->beginUpdate(T_odom_base, is_new ? kUnlimitedWork : workFor(setup_.options));
   gyroscope_.observe(T_odom_base, observations);
   sonars_.hear(T_odom_base, observations);
-  if (first || update_requested_ || gateOpens(by_wheels, observations)) {
+  const bool is_carried = recovery_->seesCarrying(T_odom_base, observations.scan);
+  if (first || update_requested_ || is_carried || gateOpens(by_wheels, observations)) {
     const Pose2 slip = gyroscope_.slipDuring(by_wheels);
     updateBelief(by_wheels * slip, T_odom_base, observations);
     sonars_.forget();

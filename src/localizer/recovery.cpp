@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "occlusion.hpp"
 #include "ser/place.hpp"
@@ -37,6 +38,8 @@ void Recovery::reset(const Prior& prior) {
   odds_ = TrackingOdds(is_given);
   unexplained_ = unfit_ = 0;
   pace_.restart();
+  scan_change_.forget();
+  is_carried_ = was_refuted_ = false;
   confidence_.reset();
   settle();
   is_settled_ = !from_anywhere_;
@@ -70,6 +73,29 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
              : scan;
 }
 
+bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+  if (scan.hits() == 0) return false;
+  if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
+  return range_error_.at(T_map_base, scan).error > kFarWorse * std::max(error_, usual_.limit());
+}
+
+bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
+  is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
+  return is_carried_;
+}
+
+/// What was known of the place is void, and so is what was found of others.
+void Recovery::beCarried(const Pose2& T_map_base) {
+  settle();
+  left_.reset();
+  odds_.beCarried();
+  proof_.demand();
+  pace_.restart();
+  ground_.places->askAnew();
+  status_ = Status::kLost;
+  doubt(T_map_base);
+}
+
 void Recovery::ride(const Pose2& motion) {
   hypotheses_.ride(motion);
   doubted_.ride(motion);
@@ -96,8 +122,10 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     odds_.seeNothing();
     return updateStatus();
   }
+  if (std::exchange(is_carried_, false)) beCarried(T_map_base_expected);
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = errorAt(T_map_base, observations);
+  error_ = error;
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
   if (is_settled_) {
@@ -108,6 +136,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   if (unexplained_ == 1) ground_.places->askAnew();
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
+    was_refuted_ = false;
     if (!is_settled_) {
       usual_.observe(std::min(error, hypotheses_.mostTolerated()));
     } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost

@@ -13,6 +13,7 @@
 #include "localizer/hypotheses.hpp"
 #include "localizer/initial_pose.hpp"
 #include "localizer/proof.hpp"
+#include "localizer/scan_change.hpp"
 #include "localizer/search_pace.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "localizer/usual_error.hpp"
@@ -47,10 +48,13 @@ class Recovery {
   /// Whether the laser is occluded, and other senses tell where the robot is.
   bool canReplaceScan(const Observations& observations) const;
 
-  /// Whether a scan contradicts the map at a pose, so that it is worth an update.
-  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const {
-    return scan.hits() > 0 && confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction;
-  }
+  /// Whether a scan contradicts the map at a pose, or fits there far worse than the last one did
+  /// and than is usual, so that it is worth an update.
+  bool isContradicted(const Pose2& T_map_base, const Scan& scan) const;
+
+  /// To be asked of every scan, whether it makes an update or not: whether it shows that the robot
+  /// was carried away, so that it is worth one.
+  bool seesCarrying(const Pose2& T_odom_base, const Scan& scan);
 
   /// The robot drove so far since the last update: what is known of it moves along.
   void ride(const Pose2& motion);
@@ -78,7 +82,8 @@ class Recovery {
   /// While it is suspected that the place only looks alike, "tracking" is not said; the pose is the
   /// same.
   Status status() const {
-    return status_ == Status::kTracking && proof_.isSuspect() ? Status::kAmbiguous : status_;
+    const bool is_doubted = proof_.isSuspect() || isDisputed();
+    return status_ == Status::kTracking && is_doubted ? Status::kAmbiguous : status_;
   }
 
   /// The last scan, whatever other senses say, fits where the robot is tracked.
@@ -99,8 +104,10 @@ class Recovery {
   static constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
   static constexpr double kUnproven = 0.5;   // belief, at the most
+  static constexpr double kFarWorse = 2.0;   // than the largest error that is not unusual
   static constexpr double kLost = 0.5;       // confidence, at the most
 
+  void beCarried(const Pose2& T_map_base);
   void doubt(const Pose2& T_map_base);
   void open(const Pose2& T_map_base, const Pose2& back = {});
   void openDoubted(const Observations& observations);
@@ -124,6 +131,7 @@ class Recovery {
   void search(const Observations& observations);
   void updateStatus();
   Status judge() const;
+  bool isDisputed() const;
   double shareOf(const Pose2& T_map_base) const {
     const Mode* mode = modeAt(T_map_base, modes_);
     return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
@@ -140,7 +148,8 @@ class Recovery {
   std::vector<Mode> modes_;
   Status status_{Status::kUninitialised};
 
-  bool scan_fits_{false};            // the core's place, as well as is usual
+  double error_{0.0};                // of the last scan at the core's place, m
+  bool scan_fits_{false};            // there, as well as is usual
   bool is_settled_{true};            // there is one place, the core's,
   std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
   Hypotheses doubted_;               // the same place, as scans show it,
@@ -154,17 +163,20 @@ class Recovery {
   Proof proof_;
   double way_{0.0};  // since the last scan that counted, m or rad
 
-  bool has_left_{false};        // the core's place was ruled out in this race,
-  double left_way_{0.0};        // so long a way ago, m
-  std::optional<Pose2> left_;   // a place that was known, by odometry, until another one is as well
-  bool searched_{false};        // this map, since the race was opened,
-  bool was_searched_{false};    // or one before
-  bool explained_{false};       // some place explains the last scan
-  bool is_alike_{false};        // scans of this race fit others than the core's as well
-  int unexplained_{0};          // scans in a row that fit the core's place worse than is usual,
-  int unfit_{0};                // or hardly at all
+  bool has_left_{false};       // the core's place was ruled out in this race,
+  double left_way_{0.0};       // so long a way ago, m
+  std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well
+  bool searched_{false};       // this map, since the race was opened,
+  bool was_searched_{false};   // or one before
+  bool explained_{false};      // some place explains the last scan
+  bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
+  bool is_alike_{false};     // scans of this race fit others than the core's as well
+  int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
+  int unfit_{0};             // or hardly at all
   double contradictions_{0.0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
+  ScanChange scan_change_;
+  bool is_carried_{false};  // since the last update
 };
 
 }  // namespace adaptive_localization

@@ -11,6 +11,14 @@ void Recovery::updateStatus() {
   was_tracking_ = was_tracking_ || (is_settled_ && status_ == Status::kTracking);
 }
 
+/// Scans do not fit the place, and either speak for another one, though less than was known before,
+/// or fit so badly that there must be one, which is still being searched for.
+bool Recovery::isDisputed() const {
+  if (!is_settled_) return false;
+  if (was_refuted_ && unexplained_ > 0) return true;
+  return in_doubt_ && unexplained_ > 0 && error_ > kFarWorse * usual_.limit();
+}
+
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others; nor is a place that hardly explains the scans, however usual
 /// such scans are: so badly they fit many another; nor one of a lost robot while others are being

@@ -34,15 +34,22 @@ class TrackingOdds {
 
   /// Twice as much where scans hardly fit.
   void loseWay(const Pose2& motion, bool hardly_fits = false) {
-    const double lost = (hardly_fits ? 2.0 : 1.0) * kPerMetreLost;
-    const double left = value_ - lost * std::hypot(motion.x, motion.y);
-    value_ = std::max(std::min(value_, kFound), left);
+    lose((hardly_fits ? 2.0 : 1.0) * kPerMetreLost * std::hypot(motion.x, motion.y));
   }
 
   /// No more is known of the place than a search for it would tell.
   bool areSpent() const { return value_ <= kFound; }
 
   void seeNothing() { value_ *= 0.9; }
+
+  /// To scans that speak against the place, though it is left.
+  void lose(double log_odds) { value_ = std::max(std::min(value_, kFound), value_ - log_odds); }
+
+  /// By what the laser sees.
+  void beCarried() {
+    value_ = std::min(value_, kFound);
+    word_ = 0.0;
+  }
 
   /// Nobody drives so far from one update to the next.
   void checkJump(const Pose2& motion) {

@@ -69,6 +69,16 @@ struct Watched {
   Pose2 believed;
 };
 
+/// Share of the hits that are where nothing is.
+Observations withBystanders(Observations seen, int one_in) {
+  for (Eigen::Index i = 0; i < seen.scan.range.size(); i += one_in) {
+    for (Eigen::ArrayXf* lengths : {&seen.scan.x, &seen.scan.y, &seen.scan.range}) {
+      (*lengths)[i] *= 0.5F;
+    }
+  }
+  return seen;
+}
+
 /// Half a turn about the middle of symmetricWorld().
 Pose2 twinOf(const Pose2& pose) {
   return {6.0 - pose.x, 3.0 - pose.y, wrapAngle(pose.theta + kPi)};
@@ -108,14 +118,61 @@ TEST(Recovery, FromAnywhereOneScanWillDoWhereNothingLooksAlike) {
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
 }
 
-/// Share of the hits that are where nothing is.
-Observations withBystanders(Observations seen, int one_in) {
-  for (Eigen::Index i = 0; i < seen.scan.range.size(); i += one_in) {
-    for (Eigen::ArrayXf* lengths : {&seen.scan.x, &seen.scan.y, &seen.scan.range}) {
-      (*lengths)[i] *= 0.5F;
-    }
+/// Until it is known where else the scan fits, one that saw the change is lost; to one that did
+/// not, the scan is only odd.
+TEST(Recovery, OneThatSeesThatItIsCarriedKnowsNothingOfItsPlace) {
+  const Pose2 there{2.0, 3.0, -0.5};
+  for (const bool sees : {true, false}) {
+    SCOPED_TRACE(sees);
+    Watched watched(asymmetricWorld());
+    Pose2 truth{1.0, 1.0, 0.0};
+    watched.tell(truth);
+    watched.track(truth, 3.0);
+    const auto glance = [&](const Pose2& pose) {
+      const Scan scan = watched.laser.observe(watched.map, pose).scan;
+      return sees && watched.recovery.seesCarrying({}, scan);
+    };
+    ASSERT_FALSE(glance(truth));
+    ASSERT_EQ(glance(there), sees);
+    watched.places().beginUpdate({}, 1);  // too little to search with
+    watched.see(there, truth);
+    EXPECT_EQ(watched.recovery.status(), sees ? Status::kLost : Status::kAmbiguous);
+    EXPECT_LE(watched.recovery.confidence(truth, truth), sees ? 0.5 : 1.0);
+    watched.places().beginUpdate({}, kUnlimitedWork);
+    for (int i = 0; i < 2; ++i) watched.see(there, truth);
+    EXPECT_TRUE(watched.recovery.mustMove());
   }
-  return seen;
+}
+
+/// Somebody may have stood before the laser: what fits on is tracked on.
+TEST(Recovery, OneThatSeesAChangeButFitsOnIsTrackedOnOnceOthersWereCompared) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 3.0);
+  const auto scanFrom = [&](const Pose2& pose) {
+    return watched.laser.observe(watched.map, pose).scan;
+  };
+  watched.recovery.seesCarrying({}, scanFrom(truth));
+  ASSERT_TRUE(watched.recovery.seesCarrying({}, scanFrom({2.0, 3.0, -0.5})));
+  watched.see(truth, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+  EXPECT_FALSE(watched.recovery.mustMove());
+}
+
+TEST(Recovery, AScanThatFitsFarWorseThanTheLastIsWorthAnUpdateOnce) {
+  Watched watched(asymmetricWorld());
+  const Pose2 truth{2.0, 3.0, -0.5};
+  const Pose2 pushed = truth * Pose2{0.3, 0.1, 0.0};
+  watched.tell(truth);
+  watched.see(truth, truth);
+  const Scan same = watched.laser.observe(watched.map, truth).scan;
+  const Scan other = watched.laser.observe(watched.map, pushed).scan;
+  EXPECT_FALSE(watched.recovery.isContradicted(truth, same));
+  EXPECT_TRUE(watched.recovery.isContradicted(truth, other));
+  watched.see(pushed, truth);
+  EXPECT_FALSE(watched.recovery.isContradicted(truth, other)) << "this one is known";
+  EXPECT_FALSE(watched.recovery.isContradicted(truth, Scan{}));
 }
 
 TEST(Recovery, ATrackedPoseIsMostlyRightWhereSomeOfTheScanDoesNotFit) {
@@ -705,7 +762,7 @@ TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
     watched.places().beginUpdate({}, 1);  // too little to search with
     for (int i = 0; i < 2; ++i) {
       watched.see(truth * pushed, truth);
-      ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+      ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous) << "it fits far worse than usual";
     }
     if (slides) truth = truth * pushed;
     for (int i = 0; i < 3; ++i) {

@@ -53,6 +53,24 @@ TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
   EXPECT_EQ(odds.value(), 0.0);
 }
 
+TEST(TrackingOdds, AreLostToScansAndByBeingCarriedDownToWhatASearchWouldTell) {
+  TrackingOdds odds(true);
+  odds.lose(4.0);
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(true).value() - 4.0);
+  EXPECT_FALSE(odds.isKept());
+  odds.lose(40.0);
+  EXPECT_DOUBLE_EQ(odds.value(), TrackingOdds(false).value());
+
+  TrackingOdds carried(true);
+  carried.beCarried();
+  EXPECT_DOUBLE_EQ(carried.value(), TrackingOdds(false).value());
+  EXPECT_EQ(carried.word(), 0.0);
+  for (int i = 0; i < 30; ++i) carried.seeNothing();
+  const double less = carried.value();
+  carried.beCarried();
+  EXPECT_DOUBLE_EQ(carried.value(), less);
+}
+
 TEST(TrackingOdds, AreSpentByTheWayOfALostRobot) {
   TrackingOdds odds(true);
   EXPECT_FALSE(odds.areSpent());
