@@ -73,17 +73,6 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
              : scan;
 }
 
-bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
-  if (scan.hits() == 0) return false;
-  if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
-  return range_error_.at(T_map_base, scan).error > kFarWorse * std::max(error_, usual_.limit());
-}
-
-bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
-  is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
-  return is_carried_;
-}
-
 /// What was known of the place is void, and so is what was found of others.
 void Recovery::beCarried(const Pose2& T_map_base) {
   settle();
@@ -93,6 +82,7 @@ void Recovery::beCarried(const Pose2& T_map_base) {
   pace_.restart();
   ground_.places->askAnew();
   status_ = Status::kLost;
+  was_tracking_ = false;
   doubt(T_map_base);
 }
 

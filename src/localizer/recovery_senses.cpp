@@ -37,6 +37,17 @@ bool Recovery::canSearch(const Observations& observations) const {
                  : senses_->canLocalize(observations);
 }
 
+bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+  if (scan.hits() == 0) return false;
+  if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
+  return range_error_.at(T_map_base, scan).error > kFarWorse * std::max(error_, usual_.limit());
+}
+
+bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
+  is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
+  return is_carried_;
+}
+
 /// All places that explain a scan, or else what other senses tell: samples of a circle, say, only
 /// where no place that is followed explains it. A sense that names no places, as sonars, has those
 /// that are followed. Nothing while they are being searched for.

@@ -12,11 +12,9 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::size_t kLasers = 4;
-constexpr double kMostWay = 0.5, kMostTurn = 0.5;  // m, rad: from farther off too much is hidden
-constexpr double kChanged = 0.4;     // of the beams; of 31 000 pairs of scans that were
-                                     // recorded none had more by itself
-constexpr double kEitherWay = 0.05;  // of the beams, shorter, and as many longer
-constexpr double kCompared = 0.33;   // of the beams, at the least
+constexpr double kMostWay = 0.5, kMostTurn = 0.5;    // m, rad: from farther off too much is hidden
+constexpr double kCompared = 0.33;                   // of the beams, at the least
+constexpr double kChanged = 0.5, kEitherWay = 0.05;  // of those
 
 /// How far the laser saw, by degrees of bearing in base; infinity where nothing is known.
 class Panorama {
@@ -108,35 +106,42 @@ bool isOther(const Panorama& before, const Scan& scan, int turn) {
     shorter += beyond < -same ? 1 : 0;
     longer += beyond > same ? 1 : 0;
   });
-  return compared > kCompared * beams && shorter + longer > kChanged * compared &&
-         std::min(shorter, longer) > kEitherWay * compared;
+  const int either_way = std::min(shorter, longer);
+  return compared > kCompared * beams && either_way > kEitherWay * compared &&
+         shorter + longer + 2 * either_way > kChanged * compared;
+}
+
+bool isOtherPlace(const Scan& before, const Pose2& motion, const Scan& now) {
+  constexpr int kMostSlip = 15;  // bins
+  if (std::hypot(motion.x, motion.y) > kMostWay || std::abs(motion.theta) > kMostTurn) return false;
+  const Panorama panorama = panoramaOf(before, motion);
+  if (!isOther(panorama, now, 0)) return false;
+  for (int turn = -kMostSlip; turn <= kMostSlip; ++turn) {
+    if (!isOther(panorama, now, turn)) return false;
+  }
+  return true;
+}
+
+bool isOfSameLaser(const Scan& a, const Scan& b) {
+  constexpr double kBeside = 0.01;  // m
+  return (a.position - b.position).norm() < kBeside && a.max_range == b.max_range;
 }
 
 }  // namespace
 
 bool ScanChange::isElsewhere(const Pose2& T_odom_base, const Scan& scan) {
-  constexpr int kMostSlip = 15;  // bins
   if (isCovered(scan)) return false;
-  const auto same = std::find_if(seen_.begin(), seen_.end(), [&](const Seen& seen) {
-    return seen.scan.position == scan.position && seen.scan.max_range == scan.max_range;
-  });
-  bool is_other = false;
-  if (same != seen_.end()) {
-    const Pose2 motion = between(same->T_odom_base, T_odom_base);
-    if (std::hypot(motion.x, motion.y) < kMostWay && std::abs(motion.theta) < kMostTurn) {
-      const Panorama before = panoramaOf(same->scan, motion);
-      is_other = isOther(before, scan, 0);
-      for (int turn = -kMostSlip; is_other && turn <= kMostSlip; ++turn) {
-        is_other = isOther(before, scan, turn);
-      }
-    }
-    same->T_odom_base = T_odom_base;
-    same->scan = scan;
-    return is_other;
+  const auto last = std::find_if(seen_.begin(), seen_.end(),
+                                 [&](const Seen& seen) { return isOfSameLaser(seen.scan, scan); });
+  if (last == seen_.end()) {
+    if (seen_.size() == kLasers) seen_.erase(seen_.begin());
+    seen_.push_back({T_odom_base, scan});
+    return false;
   }
-  if (seen_.size() == kLasers) seen_.erase(seen_.begin());
-  seen_.push_back({T_odom_base, scan});
-  return false;
+  const bool is_other = isOtherPlace(last->scan, between(last->T_odom_base, T_odom_base), scan);
+  last->T_odom_base = T_odom_base;
+  last->scan = scan;
+  return is_other;
 }
 
 }  // namespace adaptive_localization

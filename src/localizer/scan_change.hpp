@@ -8,14 +8,19 @@
 
 namespace adaptive_localization {
 
-/// Notices a robot that is carried away by what its laser sees, whatever the map: from one scan to
-/// the next half of it changes though the odometry says that the robot hardly moved. A map that is
-/// old or poor does not matter, since both scans are of the same walls.
+/// Notices by what its laser sees that a robot is carried away, whatever the map: a scan changes
+/// though the odometry says that the robot hardly moved. A map that is old or poor does not matter,
+/// since both scans are of the same walls.
 ///
-/// A beam has changed if no point of the scan before, moved by the odometry, lies within 2 degrees
-/// of it as far off. Wheels that slip in a turn are no carrying: both scans may be turned against
-/// each other by up to 15 degrees. Nor are people, before whom beams become shorter, or longer when
-/// they step aside: of a change of place some do either.
+/// A beam is shorter or longer than before if no point of the scan before, moved by the odometry,
+/// lies within 2 degrees of it about as far off. With the shares s and l of the beams that are, the
+/// place is another one if
+///
+///     s + l + 2 min(s, l) > 0.5   and   min(s, l) > 0.05
+///
+/// People make beams shorter, or longer when they step aside; a change of place does either. Wheels
+/// that slip in a turn are none: it has to hold for the scans turned against each other by up to 15
+/// degrees. The bounds were chosen by recorded scans (doc/how_it_works.md).
 class ScanChange {
  public:
   /// Takes note of a scan, and of where base is by the odometry. Whether it shows another place
