@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kUnfit = 0.3;  // m, of a scan that tells of no place
 constexpr double kWell = 0.1;   // m, of one that tells of its place, whatever was before
+constexpr double kWorse = 1.5;  // than the scan before, of one after the robot was carried
 constexpr int kSpurious = 2;    // updates in a row that sightings of no landmark can explain
 
 }  // namespace
@@ -82,7 +83,7 @@ void Recovery::beCarried(const Pose2& T_map_base) {
   pace_.restart();
   ground_.places->askAnew();
   status_ = Status::kLost;
-  was_tracking_ = false;
+  was_tracking_ = from_anywhere_ = false;
   doubt(T_map_base);
 }
 
@@ -112,9 +113,10 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     odds_.seeNothing();
     return updateStatus();
   }
-  if (std::exchange(is_carried_, false)) beCarried(T_map_base_expected);
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = errorAt(T_map_base, observations);
+  const bool fits_on = error <= kWorse * std::max(error_, usual_.value());
+  if (std::exchange(is_carried_, false) && !fits_on) beCarried(T_map_base_expected);
   error_ = error;
   scan_fits_ = error <= usual_.limit();
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLasers = 4;
 constexpr double kMostWay = 0.5, kMostTurn = 0.5;    // m, rad: from farther off too much is hidden
 constexpr double kCompared = 0.33;                   // of the beams, at the least
-constexpr double kChanged = 0.5, kEitherWay = 0.05;  // of those
+constexpr double kChanged = 0.7, kEitherWay = 0.05;  // of those
 
 /// How far the laser saw, by degrees of bearing in base; infinity where nothing is known.
 class Panorama {

@@ -16,7 +16,7 @@ namespace adaptive_localization {
 /// lies within 2 degrees of it about as far off. With the shares s and l of the beams that are, the
 /// place is another one if
 ///
-///     s + l + 2 min(s, l) > 0.5   and   min(s, l) > 0.05
+///     s + l + 2 min(s, l) > 0.7   and   min(s, l) > 0.05
 ///
 /// People make beams shorter, or longer when they step aside; a change of place does either. Wheels
 /// that slip in a turn are none: it has to hold for the scans turned against each other by up to 15

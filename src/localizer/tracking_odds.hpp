@@ -45,9 +45,9 @@ class TrackingOdds {
   /// To scans that speak against the place, though it is left.
   void lose(double log_odds) { value_ = std::max(std::min(value_, kFound), value_ - log_odds); }
 
-  /// By what the laser sees.
+  /// What the laser sees when it is carried away it hardly ever sees otherwise.
   void beCarried() {
-    value_ = std::min(value_, kFound);
+    lose(kCarried);
     word_ = 0.0;
   }
 
@@ -65,6 +65,7 @@ class TrackingOdds {
 
  private:
   static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
+  static constexpr double kCarried = 10.0;  // once in 30 000 scans
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};

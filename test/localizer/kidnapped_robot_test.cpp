@@ -137,7 +137,8 @@ TEST_F(KidnappedRobot, KeepsAPoseWithACovarianceOfItsOwn) {
   for (const std::string& core : kCoresThatRecover) {
     const auto localizer = makeTracking(core);
     for (int i = 0; i < 4; ++i) {
-      const Localization answer = update(*localizer, {}, seenFrom(kThere));
+      const Pose2 too_far_to_see_it{0.6, 0.0, 0.0};
+      const Localization answer = update(*localizer, too_far_to_see_it, seenFrom(kThere));
       const Pose2& mean = answer.estimate.T_map_base;
       const Eigen::Vector3d off(mean.x - answer.T_map_base.x, mean.y - answer.T_map_base.y,
                                 wrapAngle(mean.theta - answer.T_map_base.theta));
