@@ -9,22 +9,23 @@ namespace adaptive_localization {
 namespace {
 
 /// How often a place that is one of several is the right one, by the belief in it: odds know
-/// nothing of what a map does not show. Linear between values that were fitted to 180 000 scans, in
+/// nothing of what a map does not show. Linear between values that were fitted to 500 000 scans, in
 /// worlds of places that look alike and on recordings with poor maps (calibration of probabilities:
 /// Niculescu-Mizil and Caruana 2005).
 double shareOfRightPlaces(double belief) {
   struct Point {
     double belief, share;
   };
-  constexpr std::array<Point, 9> kPoints{{{0.0, 0.0},
-                                          {0.05, 0.15},
-                                          {0.1, 0.17},
-                                          {0.17, 0.5},
-                                          {0.8, 0.55},
-                                          {0.95, 0.7},
-                                          {0.99, 0.74},
-                                          {0.997, 0.87},
-                                          {1.0, 0.95}}};
+  constexpr std::array<Point, 10> kPoints{{{0.0, 0.0},
+                                           {0.05, 0.15},
+                                           {0.1, 0.17},
+                                           {0.17, 0.5},
+                                           {0.8, 0.55},
+                                           {0.88, 0.72},
+                                           {0.95, 0.75},
+                                           {0.99, 0.77},
+                                           {0.997, 0.87},
+                                           {1.0, 0.95}}};
   for (std::size_t i = 1; i < kPoints.size(); ++i) {
     const auto& [from, least] = kPoints[i - 1];
     const auto& [to, most] = kPoints[i];
