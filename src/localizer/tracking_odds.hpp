@@ -65,7 +65,7 @@ class TrackingOdds {
 
  private:
   static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
-  static constexpr double kCarried = 10.0;  // once in 30 000 scans
+  static constexpr double kCarried = 10.0;  // two scans of 31 000 did otherwise
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};
