@@ -19,7 +19,7 @@ void send(std::FILE* out, BagRecord::Kind kind, std::uint32_t topic,
   if (bytes.size() > kMost) throw std::length_error("a record is too long");
   const Header header{kind, topic, static_cast<std::uint32_t>(bytes.size())};
   std::fwrite(&header, sizeof(header), 1, out);
-  std::fwrite(bytes.data(), 1, bytes.size(), out);
+  if (!bytes.empty()) std::fwrite(bytes.data(), 1, bytes.size(), out);
 }
 
 void send(std::FILE* out, BagRecord::Kind kind, const std::string& text) {

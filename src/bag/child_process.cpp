@@ -91,7 +91,7 @@ void ChildProcess::beat() {
 }
 
 bool ChildProcess::read(void* data, std::size_t size) {
-  return std::fread(data, 1, size, received_) == size;
+  return size == 0 || std::fread(data, 1, size, received_) == size;
 }
 
 std::string ChildProcess::end() {
