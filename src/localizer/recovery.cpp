@@ -74,19 +74,6 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
              : scan;
 }
 
-/// What was known of the place is void, and so is what was found of others.
-void Recovery::beCarried(const Pose2& T_map_base) {
-  settle();
-  left_.reset();
-  odds_.beCarried();
-  proof_.demand();
-  pace_.restart();
-  ground_.places->askAnew();
-  status_ = Status::kLost;
-  was_tracking_ = from_anywhere_ = false;
-  doubt(T_map_base);
-}
-
 void Recovery::ride(const Pose2& motion) {
   hypotheses_.ride(motion);
   doubted_.ride(motion);

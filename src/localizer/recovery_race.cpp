@@ -29,6 +29,19 @@ void Recovery::doubt(const Pose2& T_map_base) {
   doubted_.addKept(T_map_base, odds_);
 }
 
+/// What was known of the place is void, and so is what was found of others.
+void Recovery::beCarried(const Pose2& T_map_base) {
+  settle();
+  left_.reset();
+  odds_.beCarried();
+  proof_.demand();
+  pace_.restart();
+  ground_.places->askAnew();
+  status_ = Status::kLost;
+  was_tracking_ = from_anywhere_ = false;
+  doubt(T_map_base);
+}
+
 /// By a scan that was taken a motion `back` from here.
 void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
   settle();

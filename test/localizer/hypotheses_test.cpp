@@ -25,6 +25,13 @@ Observations seenAt(const Pose2& pose) {
   return ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(asymmetricWorld(), pose);
 }
 
+/// Something stands halfway to what so many beams would see.
+Observations occludedAt(const Pose2& pose, Eigen::Index beams) {
+  Observations seen = seenAt(pose);
+  seen.scan.range.head(beams) *= 0.5F;
+  return seen;
+}
+
 double massOf(const Hypotheses& hypotheses, const Pose2& pose) {
   for (const Mode& mode : hypotheses.modes()) {
     if (std::hypot(mode.T_map_base.x - pose.x, mode.T_map_base.y - pose.y) < 0.3) return mode.mass;
@@ -170,8 +177,7 @@ TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kWrong, 0.0);
-  Observations seen = seenAt(kTruth);
-  seen.scan.range.head(60) *= 0.5F;
+  const Observations seen = occludedAt(kTruth, 60);
   hypotheses.weigh(seen, 1.0, kUsual);
   EXPECT_GT(hypotheses.leastError(), 0.2);
   EXPECT_GT(massOf(hypotheses, kWrong), std::exp(-1.0) / (1.0 + std::exp(-1.0)) - 1e-9);
@@ -181,8 +187,7 @@ TEST(Hypotheses, AScanThatFitsNowhereSaysLeastOfAKeptPlace) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(kWrong, TrackingOdds(true));
   hypotheses.add(kTruth, 0.0);
-  Observations seen = seenAt(kTruth);
-  seen.scan.range.head(60) *= 0.5F;
+  const Observations seen = occludedAt(kTruth, 60);
   for (int i = 0; i < 20; ++i) hypotheses.weigh(seen, 1.0, kUsual);
   EXPECT_GT(massOf(hypotheses, kWrong), 0.99);
 }
@@ -195,8 +200,7 @@ TEST(Hypotheses, AScanThatFitsNowhereButFarBetterInOnePlaceTells) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.addKept(kWrong, TrackingOdds(is_kept));
     hypotheses.add(kTruth, 0.0);
-    Observations seen = seenAt(kTruth);
-    seen.scan.range.head(25) *= 0.5F;
+    const Observations seen = occludedAt(kTruth, 25);
     for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, 1.0, kUsual);
     EXPECT_GT(hypotheses.leastError(), 0.1);
     EXPECT_LT(massOf(hypotheses, kWrong), 0.01);
