@@ -117,7 +117,6 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   }
   if (!is_alike_) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
-  odds_.lose(hypotheses_.refuted());
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();

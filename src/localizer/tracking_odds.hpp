@@ -42,7 +42,7 @@ class TrackingOdds {
 
   void seeNothing() { value_ *= 0.9; }
 
-  /// To scans that speak against the place, though it is left.
+  /// Down to what a search for the place would tell.
   void lose(double log_odds) { value_ = std::max(std::min(value_, kFound), value_ - log_odds); }
 
   /// What the laser sees when it is carried away it hardly ever sees otherwise.
