@@ -29,7 +29,8 @@ class PlaceRefiner;
 /// which on errors are the map's, alike for all scans nearby. Where even
 /// the best place leaves much unexplained, or much is usual, a little more tells nothing; a scan
 /// that fits nowhere as well as is usual may be of something that the map does not have, and says
-/// little of any place, least of all of the one where the robot was known to be. Where most of a
+/// little of any place, least of all of the one where the robot was known to be; if it was not, a
+/// place that fits twice as well as another is likelier. Where most of a
 /// scan fits such a place, furniture may have been moved: it loses little by little, and least
 /// where beams only end before what the map has. Unlike the modes of a particle cloud, masses of
 /// places that look the same do not drift: only what is seen decides between them.
@@ -45,6 +46,9 @@ class PlaceRefiner;
 /// here and there, fewer are judged.
 class Hypotheses {
  public:
+  /// An error that tells no more than another one, m.
+  static double withTolerance(double error) { return 1.25 * error + 0.015; }
+
   explicit Hypotheses(Ground ground, Senses senses = noSenses())
       : ground_(std::move(ground)), senses_(std::move(senses)) {}
 
@@ -117,6 +121,11 @@ class Hypotheses {
   /// The least mean range error of the last scan, m.
   double leastError() const { return least_error_; }
 
+  /// The error of the last scan that judged it at the likeliest place, m; none: truncated.
+  double likeliestError() const {
+    return all_.empty() ? RangeError::kTruncation : all_.front().error;
+  }
+
   /// The largest error of the last scan that speaks against no place, by the best one alone, m.
   double mostTolerated() const { return tolerated(least_error_); }
 
@@ -152,8 +161,8 @@ class Hypotheses {
     return is_kept_ruled_out_ ? std::make_optional(T_map_kept_) : std::nullopt;
   }
 
-  /// What the kept place lost to scans most of which do not fit there, so that furniture is no
-  /// excuse. Log odds.
+  /// What the kept place lost to scans that speak for others: most of the scan does not fit there,
+  /// so that furniture is no excuse, or it fits another place twice as well. Log odds.
   double refuted() const;
 
   /// Likeliest first; their masses sum up to 1. Of those that a scan judged, if it judged any.
@@ -165,14 +174,12 @@ class Hypotheses {
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
   static constexpr double kFarBetter = 0.5;  // of the error
 
-  /// An error that tells no more than another one, m.
-  static double withTolerance(double error) { return 1.25 * error + 0.015; }
-
   PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
 
   bool hasLeader() const;
+  bool keepsOne() const;
   double bestBesidesWord() const;
   void choose(double share);
   double loss(double error, double usual) const;

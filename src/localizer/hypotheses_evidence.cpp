@@ -88,15 +88,15 @@ void Hypotheses::choose(double share) {
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
                           double usual) const {
   double lost = loss(hypothesis.error, usual);
-  const bool is_outdone = least_error_ < kFarBetter * hypothesis.error;
-  if (!fits && !is_outdone) {
+  const bool is_outdone = !fits && least_error_ < kFarBetter * hypothesis.error;
+  if (!fits && (keepsOne() || !is_outdone)) {
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;
   if (!hypothesis.is_kept) return lost;
   const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
   hypothesis.is_spared = lost > most;
-  hypothesis.is_refuted = std::isinf(most);
+  hypothesis.is_refuted = std::isinf(most) || is_outdone;
   return std::min(lost, most);
 }
 

@@ -49,6 +49,9 @@ class Proof {
 
   bool isGiven() const { return !driven_ || *driven_ >= way_; }
 
+  /// Scans alone told the place.
+  bool isByScans() const { return driven_.has_value(); }
+
  private:
   static constexpr double kSuspectWay = 5.0;   // m
   static constexpr double kWay = 7.0;          // m, where walls are as rough as

@@ -13,7 +13,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kUnfit = 0.3;  // m, of a scan that tells of no place
-constexpr double kWell = 0.1;   // m, of one that tells of its place, whatever was before
 constexpr double kWorse = 1.5;  // than the scan before, of one after the robot was carried
 constexpr int kSpurious = 2;    // updates in a row that sightings of no landmark can explain
 
@@ -40,7 +39,9 @@ void Recovery::reset(const Prior& prior) {
   unexplained_ = unfit_ = 0;
   pace_.restart();
   scan_change_.forget();
-  is_carried_ = was_refuted_ = false;
+  T_odom_base_.reset();
+  is_at_rest_ = false;
+  is_carried_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
   is_settled_ = !from_anywhere_;
@@ -116,15 +117,10 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
     was_refuted_ = false;
-    if (!is_settled_) {
-      usual_.observe(std::min(error, hypotheses_.mostTolerated()));
-    } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost
-      usual_.observe(error);
-    }
+    learn(error);
     if (is_settled_) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isContradicted()) pace_.restart();
-    const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
-    if (is_tracked || (is_settled_ && error < kWell)) odds_.earn(motion);
+    if (isEarned(error)) odds_.earn(motion);
     const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
     if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion, error > kUnfit);
   }
@@ -142,15 +138,6 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   }
   updateStatus();
-}
-
-/// The scan is as usual as it is unexplained, and so are those that came while others were searched
-/// for, unless the robot may be lost.
-void Recovery::findNothingBetter(double error) {
-  const bool is_tracked = status_ == Status::kTracking;
-  const int scans = is_tracked ? std::min(unexplained_, waited_ + 1) : 1;
-  for (int i = 0; i < scans; ++i) usual_.observe(error);
-  pace_.findNothingBetter(error);
 }
 
 bool Recovery::isUnverified(const Observations& observations) const {

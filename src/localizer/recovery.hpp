@@ -48,8 +48,9 @@ class Recovery {
   /// Whether the laser is occluded, and other senses tell where the robot is.
   bool canReplaceScan(const Observations& observations) const;
 
-  /// Whether a scan contradicts the map at a pose, or fits there far worse than the last one did
-  /// and than is usual, so that it is worth an update.
+  /// Whether a scan contradicts the map at a pose, so that it is worth an update; where the robot
+  /// stands, or little is known of its place, one that fits far worse than the last one did and
+  /// than is usual is, too.
   bool isContradicted(const Pose2& T_map_base, const Scan& scan) const;
 
   /// To be asked of every scan, whether it makes an update or not: whether it shows that the robot
@@ -112,6 +113,16 @@ class Recovery {
   void open(const Pose2& T_map_base, const Pose2& back = {});
   void openDoubted(const Observations& observations);
   void settle();
+  void learn(double error);
+  bool isEarned(double error) const;
+
+  /// Scans alone told the place, and not long ago;
+  bool isNew() const { return proof_.isByScans() && !odds_.isKept(); }
+  /// of so many that the true one may not have been among them, unless scans go on fitting as they
+  /// do at a true place.
+  bool isOneOfMany() const { return were_many_ && isNew(); }
+  bool isAsUsual(double error) const { return error <= Hypotheses::withTolerance(usual_.value()); }
+
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   static Observations withoutCover(const Observations& observations);
   bool tells(const Observations& observations) const;
@@ -170,13 +181,17 @@ class Recovery {
   bool was_searched_{false};   // or one before
   bool explained_{false};      // some place explains the last scan
   bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
-  bool is_alike_{false};     // scans of this race fit others than the core's as well
+  bool is_alike_{false};     // scans of this race fit others than the core's as well,
+  bool are_many_{false};     // there were many to choose from,
+  bool were_many_{false};    // or in the last race
   int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};             // or hardly at all
   double contradictions_{0.0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
   ScanChange scan_change_;
-  bool is_carried_{false};  // since the last update
+  std::optional<Pose2> T_odom_base_;  // at the last scan, since when
+  bool is_at_rest_{false};            // the robot did not move
+  bool is_carried_{false};            // since the last update
 };
 
 }  // namespace adaptive_localization

@@ -10,6 +10,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
+constexpr std::size_t kMany = 10;                     // places to choose from
 constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
 constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
 
@@ -72,7 +73,7 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  was_searched_ = searched_ = explained_ = has_left_ = is_alike_ = false;
+  was_searched_ = searched_ = explained_ = has_left_ = is_alike_ = are_many_ = false;
   in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
@@ -96,6 +97,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   hypotheses_.prune();
   way_ = 0.0;
   modes_ = hypotheses_.modes();
+  are_many_ = are_many_ || modes_.size() >= kMany;
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   if (!explained_) pace_.miss(hypotheses_.leastError());
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
@@ -117,6 +119,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   }
   if (!is_alike_) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
+  were_many_ = are_many_ || isOneOfMany();
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();

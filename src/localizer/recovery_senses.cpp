@@ -40,10 +40,14 @@ bool Recovery::canSearch(const Observations& observations) const {
 bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
   if (scan.hits() == 0) return false;
   if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
+  if (odds_.isKept() && !is_at_rest_) return false;
   return range_error_.at(T_map_base, scan).error > kFarWorse * std::max(error_, usual_.limit());
 }
 
 bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
+  constexpr double kNoWay = 0.005;  // m or rad
+  is_at_rest_ = T_odom_base_ && wayOf(between(*T_odom_base_, T_odom_base)) < kNoWay;
+  T_odom_base_ = T_odom_base;
   is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
   return is_carried_;
 }

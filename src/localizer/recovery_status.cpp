@@ -12,11 +12,16 @@ void Recovery::updateStatus() {
 }
 
 /// Scans do not fit the place, and either speak for another one, though less than was known before,
-/// or fit so badly that there must be one, which is still being searched for.
+/// or fit so badly that there must be one, which is still being searched for. A place that scans
+/// alone told, and not long ago, is one of several once such a search takes long.
 bool Recovery::isDisputed() const {
+  constexpr int kLong = 3;  // scans
   if (!is_settled_) return false;
   if (was_refuted_ && unexplained_ > 0) return true;
-  return in_doubt_ && unexplained_ > 0 && error_ > kFarWorse * usual_.limit();
+  if (isOneOfMany() && odds_.areSpent() && !isAsUsual(error_)) return true;
+  if (!in_doubt_) return false;
+  if (waited_ >= kLong && isNew()) return true;
+  return unexplained_ > 0 && error_ > kFarWorse * usual_.limit();
 }
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which

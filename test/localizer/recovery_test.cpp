@@ -164,7 +164,7 @@ TEST(Recovery, AScanThatFitsFarWorseThanTheLastIsWorthAnUpdateOnce) {
   Watched watched(asymmetricWorld());
   const Pose2 truth{2.0, 3.0, -0.5};
   const Pose2 pushed = truth * Pose2{0.3, 0.1, 0.0};
-  watched.tell(truth);
+  watched.recovery.reset(Anywhere{});
   watched.see(truth, truth);
   const Scan same = watched.laser.observe(watched.map, truth).scan;
   const Scan other = watched.laser.observe(watched.map, pushed).scan;
@@ -173,6 +173,13 @@ TEST(Recovery, AScanThatFitsFarWorseThanTheLastIsWorthAnUpdateOnce) {
   watched.see(pushed, truth);
   EXPECT_FALSE(watched.recovery.isContradicted(truth, other)) << "this one is known";
   EXPECT_FALSE(watched.recovery.isContradicted(truth, Scan{}));
+  Watched told(asymmetricWorld());
+  told.tell(truth);
+  told.see(truth, truth);
+  told.recovery.seesCarrying({}, same);
+  EXPECT_FALSE(told.recovery.isContradicted(truth, other)) << "the next update is soon enough";
+  told.recovery.seesCarrying({}, same);
+  EXPECT_TRUE(told.recovery.isContradicted(truth, other)) << "there may be none";
 }
 
 TEST(Recovery, ATrackedPoseIsMostlyRightWhereSomeOfTheScanDoesNotFit) {
@@ -499,6 +506,37 @@ TEST(Recovery, ALostRobotIsNotTrackedBeforeTheSearchHasItsAnswer) {
   EXPECT_FALSE(watched.recovery.modes().empty());
 }
 
+/// The status after so many scans, a quarter of which does not fit, while a search is under way.
+Status statusInDoubt(Watched& watched, Pose2 truth, int scans) {
+  for (int i = 0; i < scans; ++i) {
+    watched.places().beginUpdate({}, 1);
+    watched.observe(withBystanders(watched.laser.observe(watched.map, truth), 4), truth);
+  }
+  return watched.recovery.status();
+}
+
+/// There may be another place until the search has its answer, unless tracking has earned more.
+TEST(Recovery, APlaceThatScansToldIsOneOfSeveralWhileASearchForOthersTakesLong) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 2.2, 0.0};
+  watched.recovery.reset(Anywhere{});
+  watched.places().beginUpdate({}, kUnlimitedWork);
+  watched.see(truth, truth);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  Watched tracked(asymmetricWorld());
+  tracked.recovery.copyStateOf(watched.recovery);
+  EXPECT_EQ(statusInDoubt(watched, truth, 3), Status::kTracking);
+  EXPECT_EQ(statusInDoubt(watched, truth, 1), Status::kAmbiguous);
+  watched.places().beginUpdate({}, kUnlimitedWork);
+  watched.see(truth, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking) << "it has its answer";
+
+  tracked.places().beginUpdate({}, kUnlimitedWork);
+  tracked.believed = truth;
+  tracked.track(truth, 3.0);
+  EXPECT_EQ(statusInDoubt(tracked, truth, 6), Status::kTracking);
+}
+
 /// The scan that raised the doubt is weighed, though the answer comes with another one.
 TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   Watched watched(asymmetricWorld());
@@ -598,11 +636,11 @@ TEST(Recovery, APlaceThatWasLeftIsAmongThoseThatAreComparedNext) {
   EXPECT_GT(watched.shareOf(truth), 0.4);  // and at most one looks alike
 }
 
-/// A hall of 80 m by 6 m with two equal blocks in it.
-std::shared_ptr<const OccupancyGrid> longHall() {
+/// A hall of 80 m by 6 m with equal blocks in it.
+std::shared_ptr<const OccupancyGrid> longHall(const std::vector<std::size_t>& columns = {30, 110}) {
   Art art(12, "#" + std::string(158, '.') + "#");
   art.front() = art.back() = std::string(160, '#');
-  for (const std::size_t column : {30U, 110U}) {
+  for (const std::size_t column : columns) {
     for (std::size_t row = 4; row < 9; ++row) art[row].replace(column, 3, "###");
   }
   return hollow(*toyWorld(art, 0.05, {}, 10));
@@ -623,6 +661,30 @@ TEST(Recovery, ThePlaceThatIsLeftOfThoseThatHadRoomIsComparedWithTheOthers) {
     EXPECT_NE(watched.recovery.status(), Status::kTracking) << way;
   }
   EXPECT_GT(watched.shareOf(truth), 0.0);
+}
+
+/// Past the only block of a hall, most of which looks the same.
+TEST(Recovery, OneOfManyPlacesIsKnownOnceScansFitThereAsTheyUsuallyDo) {
+  Watched watched(longHall({30}));
+  watched.laser.max_range = 4.0;
+  Pose2 truth{10.0, 1.0, 0.0};
+  const Pose2 motion{0.1, 0.0, 0.0}, none{};
+  const auto see = [&](int one_in, const Pose2& moved) {
+    truth = truth * moved;
+    const Observations seen = watched.laser.observe(watched.map, truth);
+    watched.observe(one_in > 0 ? withBystanders(seen, one_in) : seen, truth, moved);
+    return watched.recovery.status();
+  };
+  watched.recovery.reset(Anywhere{});
+  watched.believed = truth;
+  see(0, none);
+  ASSERT_GE(watched.recovery.modes().size(), 10U);
+  for (int i = 0; i < 60 && watched.recovery.status() != Status::kTracking; ++i) see(0, motion);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(see(8, motion), Status::kAmbiguous) << i;
+  ASSERT_TRUE(watched.recovery.modes().empty()) << "no other is left";
+  EXPECT_EQ(see(0, motion), Status::kTracking);
+  EXPECT_EQ(see(8, motion), Status::kTracking);
 }
 
 /// A hall of 24 m by 4 m with a block in it, whose walls are now 0.25, now 0.65 m thick.
