@@ -13,7 +13,8 @@ void Recovery::updateStatus() {
 
 /// Scans do not fit the place, and either speak for another one, though less than was known before,
 /// or fit so badly that there must be one, which is still being searched for. A place that scans
-/// alone told, and not long ago, is one of several once such a search takes long.
+/// alone told, and not long ago, is one of several once such a search takes long, and if it was one
+/// of many, until a scan fits there as is usual.
 bool Recovery::isDisputed() const {
   constexpr int kLong = 3;  // scans
   if (!is_settled_) return false;
