@@ -81,11 +81,6 @@ double Hypotheses::bestBesidesWord() const {
   return best;
 }
 
-bool Hypotheses::keepsOne() const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [](const Hypothesis& hypothesis) { return hypothesis.is_kept; });
-}
-
 double Hypotheses::refuted() const {
   double most = 0.0;
   for (const Hypothesis& hypothesis : all_) most = std::max(most, hypothesis.refuted);

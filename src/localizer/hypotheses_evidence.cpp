@@ -85,11 +85,16 @@ void Hypotheses::choose(double share) {
   for (Hypothesis* hypothesis : others) hypothesis->is_due = true;
 }
 
+bool Hypotheses::keepsOne() const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const Hypothesis& hypothesis) { return hypothesis.is_kept; });
+}
+
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
                           double usual) const {
   double lost = loss(hypothesis.error, usual);
   const bool is_outdone = !fits && least_error_ < kFarBetter * hypothesis.error;
-  if (!fits && (keepsOne() || !is_outdone)) {
+  if (!fits && (!is_outdone || keepsOne())) {
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;

@@ -33,9 +33,9 @@ struct Hypothesis {
   double error{RangeError::kTruncation};  // of the last scan, m
   bool is_explained{false};               // it speaks against no place less
   bool is_spared{false};  // it would rule the place out, were it not kept and did not most fit
-  // It is kept, but most of the scan does not fit, or the scan fits another place twice as well;
+  // It is kept, but most of the scan does not fit, or it fits nowhere and elsewhere twice as well.
   bool is_refuted{false};
-  double refuted{0.0};           // of the odds, what it lost to such scans
+  double refuted{0.0};           // of the odds, what it lost to scans that refuted it
   std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
   Eigen::Matrix3d covariance = placeCovariance();
   double way{0.0};  // m or rad, since it was corrected by other senses

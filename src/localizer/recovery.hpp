@@ -116,10 +116,10 @@ class Recovery {
   void learn(double error);
   bool isEarned(double error) const;
 
-  /// Scans alone told the place, and not long ago;
+  /// Scans alone told the place, and tracking has not earned enough since then.
   bool isNew() const { return proof_.isByScans() && !odds_.isKept(); }
-  /// of so many that the true one may not have been among them, unless scans go on fitting as they
-  /// do at a true place.
+
+  /// A new place that was one of so many that the true one may not have been among them.
   bool isOneOfMany() const { return were_many_ && isNew(); }
   bool isAsUsual(double error) const { return error <= Hypotheses::withTolerance(usual_.value()); }
 
