@@ -3,10 +3,11 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <QFile>
+#include <QImageReader>
 #include <array>
-#include <fstream>
+#include <cstdio>
 #include <numeric>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -75,10 +76,18 @@ Pose2 readOrigin(const YAML::Node& root) {
   return origin;
 }
 
+/// Opened by a handle: Qt would take the name in the locale's encoding.
+bool open(const std::string& name, QFile& file) {
+  std::FILE* const handle = std::fopen(name.c_str(), "rb");
+  return handle != nullptr && file.open(handle, QFile::ReadOnly, QFile::AutoCloseHandle);
+}
+
 YAML::Node readYaml(const std::string& yaml_file) {
   const std::string expected = "expected a YAML file with 'image: ...' and more";
-  if (std::ifstream(yaml_file) && cv::haveImageReader(yaml_file))
+  QFile file;
+  if (open(yaml_file, file) && !QImageReader::imageFormat(&file).isEmpty()) {
     throw std::invalid_argument("got an image, " + expected);
+  }
   const YAML::Node root = YAML::LoadFile(yaml_file);
   if (!root.IsMap()) throw std::invalid_argument("got no YAML map, " + expected);
   return root;
@@ -104,27 +113,22 @@ MapFile readMapFile(const std::string& yaml_file) {
   return map;
 }
 
-/// 8 bits per channel, with alpha where the image has it.
-cv::Mat readImage(const std::string& file) {
+/// 8 bits per channel: grey, or red, green and blue, with alpha where the image has it.
+QImage readImage(const std::string& name) {
   using Reason = MapFileError::Reason;
-  if (!std::ifstream(file)) {
-    throw MapFileError(Reason::kMissing, "image '" + file + "' cannot be opened");
+  QFile file;
+  if (!open(name, file)) {
+    throw MapFileError(Reason::kMissing, "image '" + name + "' cannot be opened");
   }
-  cv::Mat image;
-  try {
-    image = cv::imread(file, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& error) {
-    throw MapFileError(Reason::kImage, "image '" + file + "': " + error.err);
+  QImageReader reader(&file);
+  const QImage image = reader.read();
+  if (image.isNull()) {
+    throw MapFileError(Reason::kImage, "image '" + name + "' is no image, expected PGM, PNG or " +
+                                           "the like: " + reader.errorString().toStdString());
   }
-  if (image.empty()) {
-    throw MapFileError(Reason::kImage,
-                       "image '" + file + "' is no image, expected PGM, PNG or the like");
-  }
-  if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
-  if (image.depth() != CV_8U) {
-    throw MapFileError(Reason::kImage, "image '" + file + "': expected 8 or 16 bits per channel");
-  }
-  return image;
+  if (image.format() == QImage::Format_Grayscale8) return image;
+  return image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
+                                                       : QImage::Format_RGB888);
 }
 
 /// One pixel's value as map_server gives it. `alpha` is 255 where the image has none.
@@ -141,7 +145,7 @@ std::int8_t toCell(double brightness, int alpha, const MapFile& map) {
 
 /// One pixel of several channels. In trinary mode alpha counts as one more.
 std::int8_t toCell(const unsigned char* pixel, int channels, const MapFile& map) {
-  const bool has_alpha = channels == 2 || channels == 4;
+  const bool has_alpha = channels == 4;
   const int averaged = has_alpha && map.mode != Mode::kTrinary ? channels - 1 : channels;
   const int sum = std::accumulate(pixel, pixel + averaged, 0);
   const int alpha = has_alpha ? pixel[channels - 1] : 255;
@@ -149,17 +153,17 @@ std::int8_t toCell(const unsigned char* pixel, int channels, const MapFile& map)
 }
 
 /// The image's top row is the map's last.
-std::vector<std::int8_t> toCells(const cv::Mat& image, const MapFile& map) {
-  const int channels = image.channels();
+std::vector<std::int8_t> toCells(const QImage& image, const MapFile& map) {
+  const int channels = image.depth() / 8;
   std::array<std::int8_t, 256> of_grey;
   for (int grey = 0; grey < 256; ++grey) {
     of_grey[static_cast<std::size_t>(grey)] = toCell(grey, 255, map);
   }
   std::vector<std::int8_t> cells;
-  cells.reserve(image.total());
-  for (int row = image.rows - 1; row >= 0; --row) {
-    const unsigned char* pixel = image.ptr<unsigned char>(row);
-    const unsigned char* end = pixel + image.cols * channels;
+  cells.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
+  for (int row = image.height() - 1; row >= 0; --row) {
+    const unsigned char* pixel = image.constScanLine(row);
+    const unsigned char* end = pixel + image.width() * channels;
     for (; pixel != end; pixel += channels) {
       cells.push_back(channels == 1 ? of_grey[*pixel] : toCell(pixel, channels, map));
     }
@@ -179,8 +183,8 @@ OccupancyGrid loadMap(const std::string& yaml_file) {
   const std::string about = "map file '" + yaml_file + "'";
   try {
     const MapFile map = readMapFile(yaml_file);
-    const cv::Mat image = readImage(besides(yaml_file, map.image));
-    return OccupancyGrid(Lattice(image.cols, image.rows, map.resolution, map.origin),
+    const QImage image = readImage(besides(yaml_file, map.image));
+    return OccupancyGrid(Lattice(image.width(), image.height(), map.resolution, map.origin),
                          toCells(image, map));
   } catch (const YAML::BadFile&) {
     throw MapFileError(MapFileError::Reason::kMissing, about + " cannot be opened");

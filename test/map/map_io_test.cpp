@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 namespace adaptive_localization {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -104,6 +106,30 @@ TEST_F(MapIo, ColourIsAveraged) {
 TEST_F(MapIo, SixteenBitsAreReadAsEight) {
   cv::imwrite(folder_.file("map.png"), cv::Mat(1, 1, CV_16UC1, cv::Scalar(50 * 257)));
   EXPECT_THAT(load(with("image", "map.png") + "mode: raw\n").cells(), ElementsAre(50));
+}
+
+TEST_F(MapIo, NetpbmIsReadAsTextAndWithSixteenBits) {
+  folder_.write("map.pgm", "P2\n# a comment\n3 1\n100\n0 50 100\n");
+  // 50 of 100 is 127 of 255: 1 + 98 (0.50196 - 0.196) / 0.454 = 67.05
+  EXPECT_THAT(load(std::string(kYaml) + "mode: scale\n").cells(), ElementsAre(100, 67, 0));
+  folder_.write("map.pgm", "P5\n2 1\n65535\n\x32\x32\x64\x64");
+  EXPECT_THAT(load(std::string(kYaml) + "mode: raw\n").cells(), ElementsAre(50, 100));
+}
+
+TEST_F(MapIo, ImageIsKnownByItsContentAndNotByItsName) {
+  cv::imwrite(folder_.file("grey.png"), cv::Mat(1, 1, CV_8UC1, cv::Scalar(50)));
+  cv::imwrite(folder_.file("grey.bmp"), cv::Mat(1, 1, CV_8UC1, cv::Scalar(50)));
+  cv::imwrite(folder_.file("grey.jpg"), cv::Mat(8, 8, CV_8UC1, cv::Scalar(50)));
+  for (const char* name : {"grey.png", "grey.bmp", "grey.jpg"}) {
+    std::filesystem::copy_file(folder_.file(name), folder_.file("map.pgm"),
+                               std::filesystem::copy_options::overwrite_existing);
+    EXPECT_THAT(load(std::string(kYaml) + "mode: raw\n").cells(), Each(50)) << name;
+  }
+}
+
+TEST_F(MapIo, NamesMayHaveAnyLetters) {
+  folder_.write("Büro – 2. Stock.pgm", kImage);
+  EXPECT_EQ(load(with("image", "Büro – 2. Stock.pgm")).cells().size(), 6u);
 }
 
 TEST_F(MapIo, AbsoluteImagePathIsTakenAsItIs) {
