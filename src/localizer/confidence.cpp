@@ -63,12 +63,18 @@ std::optional<double> Confidence::fitOf(const Pose2& T_map_base,
   return std::clamp((kMisfit - *misfit) / (kMisfit - kFit), 0.0, 1.0);
 }
 
+void Confidence::note(double fit) {
+  latest_fit_ = fit;
+  fit_ = fit_ < 0.0 ? fit : fit_ + options_.confidence_rate * (fit - fit_);
+  contradictions_ = fit < kContradiction ? contradictions_ + 1 : 0;
+}
+
+void Confidence::contradict() {
+  note(0.0);
+}
+
 void Confidence::observe(const Estimate& estimate, const Observations& observations) {
-  if (const auto fit = fitOf(estimate.T_map_base, observations)) {
-    latest_fit_ = *fit;
-    fit_ = fit_ < 0.0 ? latest_fit_ : fit_ + options_.confidence_rate * (latest_fit_ - fit_);
-    contradictions_ = latest_fit_ < kContradiction ? contradictions_ + 1 : 0;
-  }
+  if (const auto fit = fitOf(estimate.T_map_base, observations)) note(*fit);
   const double variance = estimate.covariance.topLeftCorner<2, 2>().trace();
   const double relative = variance / (options_.converged_std * options_.converged_std);
   compact_ = relative < 1.0;

@@ -24,13 +24,20 @@ Scan withHits(const Scan& scan, const std::vector<Eigen::Index>& hits) {
 
 }  // namespace
 
+bool seesNothing(const Scan& scan) {
+  constexpr double kStray = 0.02;  // of the beams
+  const auto no_returns = static_cast<double>(scan.no_return_bearing.size());
+  return no_returns > 0.0 && scan.hits() <= kStray * (scan.hits() + no_returns);
+}
+
 bool isCovered(const Scan& scan) {
+  if (scan.hits() == 0 || seesNothing(scan)) return true;
   constexpr double kArm = 0.6;    // m
   constexpr double kShare = 0.1;  // of the beams
   const Eigen::Index far =
       (scan.range > static_cast<float>(kArm)).count() + scan.no_return_bearing.size();
   const Eigen::Index beams = scan.range.size() + scan.no_return_bearing.size();
-  return scan.hits() == 0 || static_cast<double>(far) < kShare * static_cast<double>(beams);
+  return static_cast<double>(far) < kShare * static_cast<double>(beams);
 }
 
 bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error) {

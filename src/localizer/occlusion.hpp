@@ -8,8 +8,11 @@
 
 namespace adaptive_localization {
 
+/// No beam, but for stray ones, returns: there is nothing within the laser's range.
+bool seesNothing(const Scan& scan);
+
 /// A hand before the laser, or somebody who stands there, looks like a corner of the map somewhere:
-/// a scan that sees hardly anything beyond arm's length is no evidence.
+/// a scan that sees hardly anything beyond arm's length is no evidence, nor are stray hits.
 bool isCovered(const Scan& scan);
 
 /// Whether a scan, taken about a pose, tells of what stands before the laser and not of where it

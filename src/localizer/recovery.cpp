@@ -94,13 +94,9 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
                        const Estimate& estimate, const Observations& all) {
   const Observations observations = withoutCover(all);
   const Pose2& T_map_base = estimate.T_map_base;
-  confidence_.observe(estimate, tells(observations) ? observations : all);
   scan_fits_ = false;
-  if (!tells(observations)) {
-    ground_.places->askAnew();
-    odds_.seeNothing();
-    return updateStatus();
-  }
+  if (!tells(observations)) return seeNothing(estimate, all);
+  confidence_.observe(estimate, observations);
   if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
   const double error = errorAt(T_map_base, observations);
   const bool fits_on = error <= kWorse * std::max(error_, usual_.value());

@@ -107,6 +107,7 @@ class Recovery {
   static constexpr double kUnproven = 0.5;   // belief, at the most
   static constexpr double kFarWorse = 2.0;   // than the largest error that is not unusual
   static constexpr double kLost = 0.5;       // confidence, at the most
+  static constexpr double kMissed = 0.5;     // of the beams: a view without the walls of the map
 
   void beCarried(const Pose2& T_map_base);
   void doubt(const Pose2& T_map_base);
@@ -126,6 +127,8 @@ class Recovery {
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
   static Observations withoutCover(const Observations& observations);
   bool tells(const Observations& observations) const;
+  void seeNothing(const Estimate& estimate, const Observations& observations);
+  double shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) const;
   double errorAt(const Pose2& T_map_base, const Observations& observations) const;
   bool canSearch(const Observations& observations) const;
   std::optional<std::vector<Place>> placesFor(const Observations& observations) const;

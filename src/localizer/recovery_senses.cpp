@@ -24,6 +24,23 @@ bool Recovery::tells(const Observations& observations) const {
   return observations.scan.hits() > 0 || senses_->canLocalize(observations);
 }
 
+/// How much of a scan that sees nothing should see a wall, of its beams; 0 of other scans.
+double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) const {
+  return seesNothing(scan) ? range_error_.at(T_map_base, scan).off_share : 0.0;
+}
+
+/// A view into the open is as good as any, unless the map has walls there: then the robot is
+/// elsewhere. Else something is before the laser.
+void Recovery::seeNothing(const Estimate& estimate, const Observations& all) {
+  ground_.places->askAnew();
+  const bool is_open = seesNothing(all.scan);
+  const bool is_elsewhere = shareOfWallsMissed(estimate.T_map_base, all.scan) > kMissed;
+  confidence_.observe(estimate, is_open ? withoutCover(all) : all);
+  if (is_elsewhere) confidence_.contradict();
+  if (is_elsewhere || !is_open) odds_.seeNothing();
+  updateStatus();
+}
+
 /// The mean range error of a scan, or else what other senses have in its place, m.
 double Recovery::errorAt(const Pose2& T_map_base, const Observations& observations) const {
   const Scan& scan = observations.scan;
@@ -38,6 +55,7 @@ bool Recovery::canSearch(const Observations& observations) const {
 }
 
 bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+  if (seesNothing(scan)) return shareOfWallsMissed(T_map_base, scan) > kMissed;
   if (scan.hits() == 0) return false;
   if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
   if (odds_.isKept() && !is_at_rest_) return false;

@@ -28,17 +28,20 @@ bool Recovery::isDisputed() const {
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others; nor is a place that hardly explains the scans, however usual
 /// such scans are: so badly they fit many another; nor one of a lost robot while others are being
-/// searched for. A place that scans alone told is one of several until it is proven.
+/// searched for. A place that scans alone told is one of several until it is proven. What was one
+/// of several is not lost as the last of them, before it is decided, as long as the scans fit.
 Status Recovery::judge() const {
   if (initial_pose_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
   const bool is_taken = hypotheses_.isByWord() && initial_pose_.isFresh() && unexplained_ == 0;
+  const bool was_several = status_ == Status::kAmbiguous;
+  const bool is_found = confidence_.latestFit() >= kFoundFit;
+  const Status undecided = is_found && was_several ? Status::kAmbiguous : nowhere;
   if (!is_settled_ && !is_taken) {
-    const bool fits = confidence_.latestFit() >= kFoundFit;
-    return fits && modes_.size() > 1 ? Status::kAmbiguous : nowhere;
+    return is_found && modes_.size() > 1 ? Status::kAmbiguous : undecided;
   }
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
-  if (was_lost && in_doubt_) return nowhere;
+  if (was_lost && in_doubt_) return undecided;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;

@@ -30,6 +30,19 @@ Scan without(const Scan& scan, Eigen::Index hit) {
   return left;
 }
 
+TEST(Occlusion, SomeStrayHitsAmongManyBeamsAreNothing) {
+  Scan scan = scanOf(std::vector<float>(3, 2.0F));
+  EXPECT_FALSE(seesNothing(scan));  // all of its beams
+  EXPECT_FALSE(isCovered(scan));
+  scan.no_return_bearing = Eigen::ArrayXf::LinSpaced(177, -1.0F, 1.0F);
+  EXPECT_TRUE(seesNothing(scan));
+  EXPECT_TRUE(isCovered(scan));
+  scan.no_return_bearing.conservativeResize(100);
+  EXPECT_FALSE(seesNothing(scan));
+  EXPECT_FALSE(seesNothing(Scan()));  // no beam tells anything
+  EXPECT_TRUE(isCovered(Scan()));
+}
+
 TEST(Occlusion, AMatchOfWhatWasLeftIsOneOfTheWholeScan) {
   const Scan all = scanOf({2.0F, 1.0F, 2.0F, 2.0F});
   Match match;

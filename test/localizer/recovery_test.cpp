@@ -320,6 +320,36 @@ TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
 }
 
+/// A laser that reaches so far sees nothing but a stray hit.
+Observations nothingWithin(double max_range) {
+  Observations nothing = hitsAt({{0.3, 0.0}}, max_range);
+  nothing.scan.no_return_bearing =
+      Eigen::ArrayXf::LinSpaced(90, static_cast<float>(-kPi / 2), static_cast<float>(kPi / 2));
+  return nothing;
+}
+
+TEST(Recovery, AViewIntoTheOpenIsAsGoodAsAnyAndOneWithoutTheMapsWallsIsNot) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 3.0);  // to where no wall is within 0.4 m
+  const Observations open = nothingWithin(0.4), blind = nothingWithin(12.0);
+  const double way = 0.02;
+  for (int i = 0; i < 20; ++i) {
+    truth = truth * Pose2{way, 0.0, 0.0};
+    EXPECT_EQ(watched.recovery.evidenceOf(truth, open.scan).hits(), 0);
+    EXPECT_FALSE(watched.recovery.isContradicted(truth, open.scan));
+    watched.observe(open, truth, {way, 0.0, 0.0});
+    EXPECT_EQ(watched.recovery.status(), Status::kTracking) << i;
+  }
+  watched.see(truth, truth);  // what was known of the place is known still
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+  EXPECT_TRUE(watched.recovery.isContradicted(truth, blind.scan));
+  for (int i = 0; i < 2; ++i) watched.observe(blind, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kLost);
+  EXPECT_FALSE(watched.recovery.mustMove());
+}
+
 /// Somebody walks along with the robot, who is on no map.
 TEST(Recovery, WhileTrackingObstaclesAreNoEvidenceOfWhereTheRobotIs) {
   Watched watched(asymmetricWorld());

@@ -62,6 +62,9 @@ class Confidence {
   /// Takes note of observations and the estimate made from them.
   void observe(const Estimate& estimate, const Observations& observations);
 
+  /// A scan without hits that should have some does not fit at all.
+  void contradict();
+
   /// How well a scan fits the map at a pose, [0, 1]; the scan must have hits.
   double fitOf(const Pose2& T_map_base, const Scan& scan) const;
 
@@ -78,6 +81,8 @@ class Confidence {
   bool isAmbiguous() const { return ambiguous_; }           // a second mode is nearly as heavy
 
  private:
+  void note(double fit);
+
   ConfidenceOptions options_;
   std::shared_ptr<const DistanceField> field_;
   Senses senses_;
