@@ -67,7 +67,7 @@ TEST(ExperimentRun, AShortSightedRobotIsNotLostInTheOpen) {
 /// Nor is one that sees 57 degrees; with these seeds it once was, 35 and 21 m off.
 TEST(ExperimentRun, ARobotWithADepthCameraKeepsThePlaceThatItWasTold) {
   const Arena arena("lasers.yaml", "depth camera, complex, told");
-  for (const int seed : {2, 3}) {
+  for (const int seed : {1, 3}) {
     const ExperimentResult result = arena.run(seed);
     EXPECT_EQ(result.silently_wrong, 0) << seed;
     EXPECT_LT(result.max_m, 1.0) << seed;
