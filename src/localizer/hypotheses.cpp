@@ -136,7 +136,7 @@ double Hypotheses::entry(double malus, const TrackingOdds& odds) const {
 
 bool Hypotheses::isByWord() const {
   return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
-    return hypothesis.word > 0.0 && !hypothesis.is_new;
+    return hypothesis.prior > 0.0 && hypothesis.word > 0.0 && !hypothesis.is_new;
   });
 }
 

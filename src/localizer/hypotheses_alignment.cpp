@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "localizer/hypotheses.hpp"
@@ -18,6 +19,25 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
   const Place stayed{T_map_base, refiner.error(T_map_base)};
   const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
   return is_better ? moved : stayed;
+}
+
+/// The best place a slip of the wheels, or a few, away from where odometry has the robot.
+Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
+  constexpr int kWays = 8, kTurns = 2;
+  constexpr double kStep = 0.4, kTurn = 0.2;  // m, rad
+  Place best{ridden, RangeError::kTruncation};
+  const auto tryFrom = [&](const Pose2& slip) {
+    const Place there = alignedWith(refiner, ridden * slip);
+    if (there.error < best.error) best = there;
+  };
+  for (const double far : {kStep, 2.0 * kStep}) {
+    for (int i = 0; i < kWays; ++i) {
+      const double way = 2.0 * kPi * i / kWays;
+      tryFrom({far * std::cos(way), far * std::sin(way), 0.0});
+    }
+  }
+  for (int i = -kTurns; i <= kTurns; ++i) tryFrom({0.0, 0.0, kTurn * i});
+  return best;
 }
 
 }  // namespace
@@ -52,6 +72,20 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
+/// A place that was known and does not fit may be a slip away, which is likelier than any other. It
+/// becomes one of its own, since a map where walls are missing may deceive.
+void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, double error,
+                             double usual) {
+  constexpr double kMalus = 4.0;  // log odds of a slip
+  if (error <= UsualError(usual).limit()) return;
+  const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
+  const bool fits = slipped.error <= withTolerance(usual) && slipped.error < kFarBetter * error;
+  if (!fits || knows(slipped.T_map_base)) return;
+  led_to_ = Hypothesis{slipped.T_map_base, kept.log_odds - kMalus};
+  led_to_->word = std::max(0.0, std::min(kept.word, led_to_->log_odds));
+  led_to_->error = slipped.error;
+}
+
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
@@ -70,6 +104,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);
     }
+    if (hypothesis.was_believed) lookForSlip(refiner, hypothesis, place.error, usual);
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);

@@ -504,6 +504,25 @@ TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutAtOnce) {
   EXPECT_FALSE(hypotheses.knows(kWrong));
 }
 
+/// It is far likelier than any other place, and one of its own; from a place that was not known,
+/// what is a slip away is not looked for.
+TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
+  for (const Pose2& slip : {Pose2{0.8, 0.0, 0.0}, {-0.4, 0.7, 0.1}, {0.1, 0.0, 0.6}}) {
+    Hypotheses kept(asymmetricWorld()), other(asymmetricWorld());
+    kept.addKept(kTruth * slip, tracked(1.0));  // 12 nats
+    other.add(kTruth * slip, 12.0);
+    for (Hypotheses* hypotheses : {&kept, &other}) {
+      hypotheses->add(kWrong, 7.0);
+      hypotheses->weigh(seenAt(kTruth), 1.0, kUsual);
+      hypotheses->prune();
+    }
+    const auto near_truth = PoseNear(kTruth, 0.05, 0.02);
+    EXPECT_THAT(kept.modes().front().T_map_base, near_truth) << slip.x;
+    EXPECT_GT(kept.modes().front().mass, 0.99) << slip.x;
+    EXPECT_THAT(other.modes().front().T_map_base, testing::Not(near_truth)) << slip.x;
+  }
+}
+
 TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {
   const auto seen =
       ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), kBeforeTheCupboard);
