@@ -36,7 +36,7 @@ class PlaceRefiner;
 /// places that look the same do not drift: only what is seen decides between them.
 ///
 /// Within a slip of the wheels from a place that was known and does not fit any more, up to a metre
-/// or 0.4 rad, the robot is far likelier than anywhere else.
+/// or 0.9 rad, the robot is far likelier than anywhere else.
 ///
 /// What another sense says against a place is bounded where the laser sees: a compass that is
 /// disturbed, or a landmark that was moved, stays so, and decides only between places that scans

@@ -23,8 +23,8 @@ Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
 
 /// The best place a slip of the wheels, or a few, away from where odometry has the robot.
 Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
-  constexpr int kWays = 8, kTurns = 2;
-  constexpr double kStep = 0.4, kTurn = 0.2;  // m, rad
+  constexpr int kWays = 8, kTurns = 3;
+  constexpr double kStep = 0.4, kTurn = 0.3;  // m, rad
   Place best{ridden, RangeError::kTruncation};
   const auto tryFrom = [&](const Pose2& slip) {
     const Place there = alignedWith(refiner, ridden * slip);
@@ -73,17 +73,27 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
 }
 
 /// A place that was known and does not fit may be a slip away, which is likelier than any other. It
-/// becomes one of its own, since a map where walls are missing may deceive.
+/// becomes one of its own, since a map where walls are missing may deceive; if it is there already,
+/// as the core went there, it is as likely.
 void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, double error,
                              double usual) {
   constexpr double kMalus = 4.0;  // log odds of a slip
   if (error <= UsualError(usual).limit()) return;
   const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
   const bool fits = slipped.error <= withTolerance(usual) && slipped.error < kFarBetter * error;
-  if (!fits || knows(slipped.T_map_base)) return;
-  led_to_ = Hypothesis{slipped.T_map_base, kept.log_odds - kMalus};
-  led_to_->word = std::max(0.0, std::min(kept.word, led_to_->log_odds));
-  led_to_->error = slipped.error;
+  if (!fits) return;
+  Hypothesis slip{slipped.T_map_base, kept.log_odds - kMalus};
+  slip.word = std::max(0.0, std::min(kept.word, slip.log_odds));
+  slip.error = slipped.error;
+  const auto known = std::find_if(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    return areSamePlace(hypothesis.T_map_base, slipped.T_map_base);
+  });
+  if (known == all_.end()) {
+    led_to_ = slip;
+  } else if (known->is_new && !known->was_believed && known->log_odds < slip.log_odds) {
+    known->log_odds = slip.log_odds;
+    known->word = slip.word;
+  }
 }
 
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {

@@ -523,6 +523,23 @@ TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
   }
 }
 
+/// A core that follows the robot over a slip in a turn is right, and not in a place that looks
+/// alike.
+TEST(Hypotheses, APlaceThatIsASlipAwayFromAKeptOneIsAsLikelyWhoeverFoundIt) {
+  const Pose2 truth{2.0, 1.0, 0.3}, twin{4.0, 2.0, wrapAngle(0.3 + kPi)};
+  const auto seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
+  for (const double turn : {0.6, -0.9}) {
+    Hypotheses hypotheses(symmetricWorld());
+    hypotheses.addKept(truth * Pose2{0.0, 0.0, turn}, tracked(1.0));  // 12 nats
+    hypotheses.add(truth, 0.0);
+    hypotheses.add(twin, 0.0);
+    hypotheses.weigh(seen, 1.0, kUsual);
+    hypotheses.prune();
+    ASSERT_EQ(hypotheses.modes().size(), 1U) << turn;
+    EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02)) << turn;
+  }
+}
+
 TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {
   const auto seen =
       ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), kBeforeTheCupboard);
