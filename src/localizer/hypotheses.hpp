@@ -26,17 +26,15 @@ class PlaceRefiner;
 ///
 /// w <= 1 is the share of the scan that is new, t what the map is off by, more where its walls are
 /// rough, s_0 the error that makes a place e times less likely where the map is good, u_r that from
-/// which on errors are the map's, alike for all scans nearby. Where even
-/// the best place leaves much unexplained, or much is usual, a little more tells nothing; a scan
-/// that fits nowhere as well as is usual may be of something that the map does not have, and says
-/// little of any place, least of all of the one where the robot was known to be; if it was not, a
-/// place that fits twice as well as another is likelier. Where most of a
-/// scan fits such a place, furniture may have been moved: it loses little by little, and least
-/// where beams only end before what the map has. Unlike the modes of a particle cloud, masses of
-/// places that look the same do not drift: only what is seen decides between them.
-///
-/// Within a slip of the wheels from a place that was known and does not fit any more, up to a metre
-/// or 0.9 rad, the robot is far likelier than anywhere else.
+/// which on errors are the map's, alike for all scans nearby. Where even the best place leaves much
+/// unexplained, or much is usual, a little more tells nothing; a scan that fits nowhere as well as
+/// is usual may be of something that the map does not have, and says little of any place, least of
+/// all of the one where the robot was known to be; if it was not, a place that fits twice as well
+/// as another is likelier. Where most of a scan fits such a place, furniture may have been moved:
+/// it loses little by little, and least where beams only end before what the map has. If it does
+/// not fit, the robot is likelier within a slip of the wheels, up to a metre or 0.9 rad, than
+/// anywhere else. Unlike the modes of a particle cloud, masses of places that look the same do not
+/// drift: only what is seen decides between them.
 ///
 /// What another sense says against a place is bounded where the laser sees: a compass that is
 /// disturbed, or a landmark that was moved, stays so, and decides only between places that scans
