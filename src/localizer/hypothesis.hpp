@@ -20,7 +20,7 @@ struct Hypothesis {
   Pose2 T_map_base;
   double log_odds{0.0};
   double prior{0.0};  // of the odds, before any scan
-  double word{0.0};   // of that, what somebody said and no scan
+  double word{0.0};   // of the odds, what no scan told but somebody, of this place or a slip away
   bool is_kept{false};
   bool was_believed{false};  // it was the only one before the others were looked for
   std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan

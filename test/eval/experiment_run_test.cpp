@@ -74,8 +74,8 @@ TEST(ExperimentRun, ARobotWithADepthCameraKeepsThePlaceThatItWasTold) {
   }
 }
 
-/// Along an aisle nothing shows that the wheels slipped, by 0.6 m. At its end all aisles look alike,
-/// and with this seed the pose once left for another one, 12.8 m away.
+/// Along an aisle nothing shows that the wheels slipped, by 0.6 m. At its end all aisles look
+/// alike, and with this seed the pose once left for another one, 12.8 m away.
 TEST(ExperimentRun, ARobotWhoseWheelsSlipInAnAisleStaysInIt) {
   const ExperimentResult result = Arena("slips.yaml", "LDS-01, slips, warehouse").run(2);
   EXPECT_EQ(result.silently_wrong, 0);
@@ -90,12 +90,10 @@ TEST(ExperimentRun, ARobotThatSeesReflectorsKnowsWhichEndOfTheHallItIsIn) {
         loadExperiment(SOURCE_DIR "/config/experiments/reflectors.yaml",
                        {{"reflector_intensity", are_seen ? "120" : "0"}, {"duration", "20"}});
     const ExperimentCase& of_case = experiment.cases.front();
-    const auto core = std::find_if(of_case.cores.begin(), of_case.cores.end(),
-                                   [](const auto& one) { return one.label == "sa_kld"; });
-    ASSERT_NE(core, of_case.cores.end());
+    const ExperimentCore& core = named(of_case.cores, "sa_kld");
     const ExperimentSite site = loadSite(of_case);
     for (const int seed : {1, 2, 3}) {
-      const ExperimentResult result = runExperiment(site, of_case, *core, seed);
+      const ExperimentResult result = runExperiment(site, of_case, core, seed);
       const auto word = result.status.find("tracking");
       const int tracking = word == result.status.end() ? 0 : word->second;
       EXPECT_EQ(result.silently_wrong, 0) << seed;
