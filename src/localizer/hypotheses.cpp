@@ -56,6 +56,20 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matr
   }
 }
 
+void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
+  if (all_.empty() || all_.size() == kMostPlaces || knows(T_map_core)) return;
+  const Hypothesis* from = nullptr;
+  for (const Hypothesis& hypothesis : all_) {
+    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
+    const bool is_likeliest = !from || hypothesis.log_odds > from->log_odds;
+    if (is_known && is_likeliest && isSlip(between(hypothesis.T_map_base, T_map_core))) {
+      from = &hypothesis;
+    }
+  }
+  if (!from || from->log_odds - Hypothesis::kSlip < log_odds) return add(T_map_core, log_odds);
+  if (isFinite(T_map_core)) all_.push_back(from->slippedTo(T_map_core));
+}
+
 void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
                           const Eigen::Matrix3d& covariance, bool are_aligned) {
   left_out_.reset();
@@ -161,7 +175,8 @@ void Hypotheses::note(const Pose2& T_map_core) {
   if (place != all_.end()) place->T_map_core = T_map_core;
 }
 
-/// A place that is spared does not rule out what explains the scan.
+/// A place that is spared does not rule out what explains the scan, nor one that fits badly where
+/// the wheels can have slipped to.
 void Hypotheses::prune() {
   std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.log_odds > b.log_odds;
@@ -169,14 +184,17 @@ void Hypotheses::prune() {
   const double best = bestBesidesWord();
   const bool is_disputed = std::any_of(
       all_.begin(), all_.end(), [](const Hypothesis& hypothesis) { return hypothesis.is_spared; });
+  const double far_better = all_.empty() ? 0.0 : kFarBetter * all_.front().error;
   std::vector<Hypothesis> before;
   before.swap(all_);
   for (const Hypothesis& hypothesis : before) {
     const bool is_likely = hypothesis.log_odds >= best - kMargin;
-    const bool is_left = is_likely || (is_disputed && hypothesis.is_explained);
+    const bool is_slip = hypothesis.has_slipped && hypothesis.error < far_better;
+    const bool is_left = is_likely || is_slip || (is_disputed && hypothesis.is_explained);
     const auto same = at(all_, hypothesis.T_map_base);
     if (same != all_.end()) {
       same->was_believed = same->was_believed || hypothesis.was_believed;
+      same->has_slipped = same->has_slipped || hypothesis.has_slipped;
     } else if (is_left) {
       all_.push_back(hypothesis);
     } else if (hypothesis.was_believed) {

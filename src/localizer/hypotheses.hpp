@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -74,6 +75,10 @@ class Hypotheses {
 
   /// The same for one that is known so badly, over (x, y, theta), as by sightings of landmarks.
   void add(const Pose2& T_map_base, double log_odds, const Eigen::Matrix3d& covariance);
+
+  /// Where a core is, with these log odds, or, if wheels can have slipped from the place that was
+  /// believed in to there, with those of a slip.
+  void addCore(const Pose2& T_map_core, double log_odds);
 
   /// All that a search found, best first. One that is known may have drifted off: it is aligned
   /// with the next scan from where it was found as well.
@@ -178,7 +183,8 @@ class Hypotheses {
   PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
-  void lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, double error, double usual);
+  void lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, const Place& aligned,
+                   double usual);
 
   bool hasLeader() const;
   bool keepsOne() const;
@@ -204,11 +210,17 @@ class Hypotheses {
   double least_error_{0.0};
   bool is_core_beside_{false};
   std::vector<Hypothesis> all_;
-  std::optional<Hypothesis> led_to_{};  // by the last alignment: a place of its own
+  std::vector<Hypothesis> led_to_;  // by the last alignment: places of their own
   Pose2 T_map_kept_;
   bool is_kept_ruled_out_{false};
   std::optional<double> left_out_;  // log odds of places for which there was no room
 };
+
+/// Wheels can have slipped so far, and turned by so much.
+inline bool isSlip(const Pose2& slip) {
+  constexpr double kWay = 1.0, kTurn = 1.0;  // m, rad
+  return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
+}
 
 /// The first of the modes that is the same place as a pose; null if there is none.
 inline const Mode* modeAt(const Pose2& T_map_base, const std::vector<Mode>& modes) {

@@ -59,11 +59,11 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   const Pose2 T_map_core = *hypothesis.T_map_core, ridden = hypothesis.T_map_ridden;
   hypothesis.T_map_core.reset();
   const Place now = alignedWith(refiner, T_map_core);
-  const bool leads_away = !areSamePlace(before.T_map_base, T_map_core) &&
+  const bool leads_away = distance(before.T_map_base, T_map_core) > kSamePlace &&
                           distance(before.T_map_base, ridden) > distance(T_map_core, ridden);
   if (leads_away) {
-    led_to_ = Hypothesis{before.T_map_base, hypothesis.log_odds - hypothesis.prior};
-    led_to_->error = before.error;
+    led_to_.push_back({before.T_map_base, hypothesis.log_odds - hypothesis.prior});
+    led_to_.back().error = before.error;
   }
   const bool is_now = leads_away || now.error <= withTolerance(before.error);
   const Place& place = is_now ? now : before;
@@ -75,31 +75,30 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
 /// A place that was known and does not fit may be a slip away, which is likelier than any other. It
 /// becomes one of its own, since a map where walls are missing may deceive; if it is there already,
 /// as the core went there, it is as likely.
-void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, double error,
-                             double usual) {
-  constexpr double kMalus = 4.0;  // log odds of a slip
-  if (error <= UsualError(usual).limit()) return;
+void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept,
+                             const Place& aligned, double usual) {
+  const double most = UsualError(usual).limit();
+  if (refiner.errorPerHit(aligned) <= most) return;
   const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
-  const bool fits = slipped.error <= withTolerance(usual) && slipped.error < kFarBetter * error;
-  if (!fits) return;
-  Hypothesis slip{slipped.T_map_base, kept.log_odds - kMalus};
-  slip.word = std::max(0.0, std::min(kept.word, slip.log_odds));
+  if (slipped.error > std::min(most, kFarBetter * aligned.error)) return;
+  Hypothesis slip = kept.slippedTo(slipped.T_map_base);
   slip.error = slipped.error;
   const auto known = std::find_if(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
     return areSamePlace(hypothesis.T_map_base, slipped.T_map_base);
   });
   if (known == all_.end()) {
-    led_to_ = slip;
+    led_to_.push_back(slip);
   } else if (known->is_new && !known->was_believed && known->log_odds < slip.log_odds) {
     known->log_odds = slip.log_odds;
     known->word = slip.word;
+    known->has_slipped = true;
   }
 }
 
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
-  led_to_.reset();
+  led_to_.clear();
   const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
@@ -114,7 +113,8 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);
     }
-    if (hypothesis.was_believed) lookForSlip(refiner, hypothesis, place.error, usual);
+    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
+    if (is_known) lookForSlip(refiner, hypothesis, place, usual);
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);
@@ -138,6 +138,7 @@ Gaussian2 Hypotheses::correctedBySenses(const Hypothesis& hypothesis,
 
 void Hypotheses::correctBySenses(const Observations& observations) {
   least_error_ = RangeError::kTruncation;
+  led_to_.clear();
   is_core_beside_ = false;
   for (Hypothesis& hypothesis : all_) {
     if (!hypothesis.is_due) continue;

@@ -71,7 +71,8 @@ void Hypotheses::choose(double share) {
     hypothesis.share = std::min(1.0, hypothesis.share + share);
     ++hypothesis.waited;
     hypothesis.is_due = hypothesis.aligned.has_value() || hypothesis.T_map_core.has_value() ||
-                        hypothesis.was_believed || (!hypothesis.is_new && likeliest++ < kLikeliest);
+                        hypothesis.was_believed || hypothesis.has_slipped ||
+                        (!hypothesis.is_new && likeliest++ < kLikeliest);
     if (hypothesis.is_due) continue;
     others.push_back(&hypothesis);
     added += hypothesis.is_new ? 1 : 0;
@@ -111,9 +112,10 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   const PlaceRefiner refiner = refinerFor(scan);
   choose(share);
   is_seen ? align(refiner, usual) : correctBySenses(observations);
-  if (is_seen && led_to_ && all_.size() < kMostPlaces) {
-    all_.push_back(*led_to_);
-    least_error_ = std::min(least_error_, led_to_->error);
+  for (const Hypothesis& other : led_to_) {
+    if (all_.size() >= kMostPlaces) break;
+    all_.push_back(other);
+    least_error_ = std::min(least_error_, other.error);
   }
   const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
   const Eigen::ArrayXXd scored = scores(observations);

@@ -17,12 +17,15 @@ Eigen::Matrix3d placeCovariance();
 
 /// A place where the robot may be, and what is known of it: one of the Hypotheses.
 struct Hypothesis {
+  static constexpr double kSlip = 4.0;  // log odds: so much less likely than none is a slip
+
   Pose2 T_map_base;
   double log_odds{0.0};
   double prior{0.0};  // of the odds, before any scan
   double word{0.0};   // of the odds, what no scan told but somebody, of this place or a slip away
   bool is_kept{false};
   bool was_believed{false};  // it was the only one before the others were looked for
+  bool has_slipped{false};   // from there, or from where that one slipped to
   std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
   std::optional<Place> aligned{};                    // with the next scan
   Pose2 T_map_ridden{};  // by odometry alone, before it was aligned with the last scan
@@ -39,6 +42,14 @@ struct Hypothesis {
   std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
   Eigen::Matrix3d covariance = placeCovariance();
   double way{0.0};  // m or rad, since it was corrected by other senses
+
+  /// The wheels slipped from here to another place.
+  Hypothesis slippedTo(const Pose2& T_map_slipped) const {
+    Hypothesis slip{T_map_slipped, log_odds - kSlip};
+    slip.word = std::max(0.0, std::min(word, slip.log_odds));
+    slip.has_slipped = true;
+    return slip;
+  }
 
   /// Takes note of a log likelihood that a sense other than the laser tells of it; of all that
   /// it tells `most` counts.

@@ -151,6 +151,7 @@ class Recovery {
     return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
   }
   const Mode* heldPlace(const Pose2& T_map_base) const;
+  bool hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
 
   Ground ground_;

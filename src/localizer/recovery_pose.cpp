@@ -8,6 +8,8 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr double kRuledOut = 0.05;  // mass, at the most
+
 /// How often a place that is one of several is the right one, by the belief in it: odds know
 /// nothing of what a map does not show. Linear between values that were fitted to 500 000 scans, in
 /// worlds of places that look alike and on recordings with poor maps (calibration of probabilities:
@@ -48,16 +50,24 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
   return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
+/// Where odometry has the robot is ruled out, and where the core has it, as far away as wheels can
+/// slip, the scan fits.
+bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
+  return scan_fits_ && isSlip(between(T_map_base_by_odometry, T_map_base)) &&
+         shareOf(T_map_base_by_odometry) < kRuledOut && modeAt(T_map_base, modes_);
+}
+
 /// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
 /// out and another one, that explains the scan well, is likelier than all others: what a core makes
 /// of a blocked laser is no reason to jump. One that was not stays in one of the likely places; so
 /// does one that left such a place some way ago, if the core is in one.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  constexpr double kRuledOut = 0.05, kLikely = 0.97, kWell = 0.1;  // mass, mass, m
-  constexpr double kFarFromIt = 3.0;                               // m, of way
+  constexpr double kLikely = 0.97, kWell = 0.1;  // mass, m
+  constexpr double kFarFromIt = 3.0;             // m, of way
   if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
   if (status_ == Status::kAmbiguous && is_settled_ && !proof_.isGiven()) return true;
   if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
+  if (hasSlipped(T_map_base_by_odometry, T_map_base)) return true;
   if (left_way_ > kFarFromIt && heldPlace(T_map_base)) return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;
   return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&

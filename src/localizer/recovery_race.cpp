@@ -87,7 +87,7 @@ void Recovery::settle() {
 /// is known as well: if that is doubted, it is one of those that are compared.
 void Recovery::race(const Pose2& T_map_base, double error, const Observations& observations) {
   hypotheses_.note(T_map_base);
-  if (!hypotheses_.isEmpty()) hypotheses_.add(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
+  hypotheses_.addCore(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
   // while no place explains the scans each may be the one that tells, but searching is not free
   const bool has_places = searched_ && explained_;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);

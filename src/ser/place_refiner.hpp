@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "adaptive_localization/map/distance_field.hpp"
@@ -30,6 +31,13 @@ class PlaceRefiner {
 
   /// Share of the hits that are nearer to obstacles than this, whatever stands before them.
   double hitShare(const Pose2& T_map_base, double distance) const;
+
+  /// The error of a place shared out to the hits alone, m: where most beams see nothing and agree
+  /// with a map of the open, the mean of all says little.
+  double errorPerHit(const Place& place) const {
+    const auto beams = static_cast<double>(scan_.hits() + scan_.no_return_bearing.size());
+    return place.error * beams / std::max(1, scan_.hits());
+  }
 
   /// The mean range error.
   double error(const Pose2& T_map_base) const { return fit(T_map_base).error; }

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -340,6 +341,17 @@ TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   EXPECT_LT(distance(modes[1].T_map_base, kTruth), 0.05);
 }
 
+/// A core that turned away from it is in the same spot.
+TEST(Hypotheses, AnAlignmentThatTurnsBackFromTheCoreIsOfTheSamePlace) {
+  const Pose2 ridden = kTruth * Pose2{0.02, 0.0, 0.1}, core = kTruth * Pose2{0.0, 0.0, 0.4};
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(ridden, TrackingOdds(true));
+  hypotheses.note(core);
+  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  ASSERT_EQ(hypotheses.modes().size(), 1U);
+  EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
+}
+
 /// So many, the first ones of a grid.
 std::vector<Place> placesOfGrid(int count) {
   std::vector<Place> places;
@@ -538,6 +550,75 @@ TEST(Hypotheses, APlaceThatIsASlipAwayFromAKeptOneIsAsLikelyWhoeverFoundIt) {
     ASSERT_EQ(hypotheses.modes().size(), 1U) << turn;
     EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02)) << turn;
   }
+}
+
+/// They slip for some scans on end.
+TEST(Hypotheses, WheelsThatSlippedMaySlipAgain) {
+  Hypotheses hypotheses(asymmetricWorld());
+  Pose2 truth = kTruth;
+  hypotheses.addKept(truth, tracked(1.0));  // 12 nats
+  hypotheses.add(kWrong, 0.0);
+  for (int slips = 1; slips <= 2; ++slips) {
+    truth = truth * Pose2{0.0, 0.0, 0.1};
+    hypotheses.ride({0.0, 0.0, 0.6});
+    hypotheses.weigh(seenAt(truth), 1.0, kUsual);
+    hypotheses.prune();
+    EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02)) << slips;
+  }
+  truth = truth * Pose2{0.0, 0.0, -0.2};
+  hypotheses.ride({0.0, 0.0, -0.2});
+  hypotheses.add(kWrong, 0.0);
+  hypotheses.weigh(seenAt(truth), 1.0, kUsual);
+  EXPECT_GT(massOf(hypotheses, truth), 0.99);
+}
+
+/// It fits far worse, so little of what it is likelier by may be left soon.
+TEST(Hypotheses, WhereWheelsCanHaveSlippedToIsNotRuledOutByWhatFitsFarWorse) {
+  const Pose2 core = kTruth * Pose2{0.0, 0.0, 0.05}, kept = kTruth * Pose2{0.0, 0.0, 0.9};
+  for (const bool is_known : {true, false}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    is_known ? hypotheses.addKept(kept, tracked(1.0)) : hypotheses.add(kept, 12.0);
+    hypotheses.weigh(seenAt(kept), 1.0, kUsual);
+    hypotheses.addCore(core, 0.0);
+    hypotheses.weigh(seenAt(kTruth), 0.01, kUsual);
+    hypotheses.prune();
+    EXPECT_EQ(hypotheses.knows(kTruth), is_known);
+  }
+}
+
+TEST(Hypotheses, ACoreASlipAwayFromAKeptPlaceIsLikelierThanOneElsewhere) {
+  const Pose2 near = kTruth * Pose2{0.5, 0.0, -0.6}, far = kTruth * Pose2{1.1, 0.0, 0.0};
+  const Pose2 turned = kTruth * Pose2{0.0, 0.0, 1.1};
+  for (const Pose2& core : {near, far, turned, kTruth}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.addCore(core, 0.0);
+    EXPECT_TRUE(hypotheses.isEmpty()) << "nothing to compare it with";
+    hypotheses.addKept(kTruth, tracked(1.0));  // 12 nats
+    hypotheses.addCore(core, 0.0);
+    const double odds = std::exp(distance(core, near) == 0.0 ? -4.0 : -12.0);
+    const double mass = distance(core, kTruth) == 0.0 && core.theta == kTruth.theta ? 0.0 : odds;
+    EXPECT_NEAR(hypotheses.modes().front().mass, 1.0 / (1.0 + mass), 1e-9);
+  }
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 12.0);  // nobody believed in it
+  hypotheses.addCore(near, 0.0);
+  EXPECT_LT(hypotheses.modes().back().mass, 1e-5);
+}
+
+/// Some hits that are off the walls are a small error of all beams.
+TEST(Hypotheses, ASlipIsLookedForWhereFewBeamsHit) {
+  const Pose2 truth{1.5, 3.2, kPi};  // before a wall, with a laser that sees little more
+  const auto seen = ToyLaser{91, -kPi / 2, kPi / 2, 1.1}.observe(asymmetricWorld(), truth);
+  ASSERT_LT(seen.scan.hits(), 30);
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(truth * Pose2{0.0, 0.0, 0.9}, tracked(1.0));
+  hypotheses.weigh(seen, 1.0, kUsual);
+  EXPECT_GT(massOf(hypotheses, truth), 0.0);
+  const std::vector<Mode> modes = hypotheses.modes();
+  const bool is_found = std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
+    return std::abs(wrapAngle(mode.T_map_base.theta - truth.theta)) < 0.1;
+  });
+  EXPECT_TRUE(is_found);
 }
 
 TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {

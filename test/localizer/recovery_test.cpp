@@ -263,6 +263,30 @@ TEST(Recovery, ACoreThatSlippedGoesBackToItsPlace) {
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
 }
 
+/// Odometry has it where it cannot be, and to a short-sighted laser many places look alike, of
+/// which one is a slip away.
+TEST(Recovery, AfterASlipThePoseIsWhereTheCoreHasItThoughOtherPlacesLookAlike) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{3.4, 3.2, kPi};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  watched.laser.max_range = 1.1;  // m, it sees no more than a wall before it
+  Pose2 by_odometry = truth;
+  for (int i = 0; i < 4; ++i) {
+    const Pose2 motion{0.0, 0.0, 0.8};  // of the wheels
+    by_odometry = truth * motion;
+    truth = truth * Pose2{0.0, 0.0, i % 2 == 0 ? 0.1 : -0.1};
+    watched.see(truth, truth, motion);
+  }
+  ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous);
+  ASSERT_LT(watched.shareOf(truth), 0.95);
+  const auto publishedFor = [&](const Pose2& core) {
+    return watched.recovery.published(by_odometry, {core, 1e-3 * Eigen::Matrix3d::Identity(), {}});
+  };
+  EXPECT_THAT(publishedFor(truth), PoseNear(truth, 1e-9, 1e-9));
+  EXPECT_THAT(publishedFor({8.0, 1.0, 0.0}), PoseNear(by_odometry, 1e-9, 1e-9));
+}
+
 TEST(Recovery, ACarriedRobotIsFoundAtTheSecondScan) {
   Watched watched(asymmetricWorld());
   Pose2 truth{1.0, 1.0, 0.0};
