@@ -29,6 +29,12 @@ bool isElsewhere(const Pose2& a, const Pose2& b) {
   return distance(a, b) > kNear || std::abs(wrapAngle(a.theta - b.theta)) > kSame;
 }
 
+/// Wheels can have slipped so far, and turned by so much.
+bool isSlip(const Pose2& slip) {
+  constexpr double kWay = 1.0, kTurn = 1.0;  // m, rad
+  return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
+}
+
 /// The same, or else one that a core can have drifted off from.
 template <class All>
 auto about(All& all, const Pose2& T_map_core) {
@@ -66,8 +72,10 @@ void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
       from = &hypothesis;
     }
   }
-  if (!from || from->log_odds - Hypothesis::kSlip < log_odds) return add(T_map_core, log_odds);
-  if (isFinite(T_map_core)) all_.push_back(from->slippedTo(T_map_core));
+  if (!from) return add(T_map_core, log_odds);
+  Hypothesis slip = from->slippedTo(T_map_core);
+  slip.log_odds = std::max(slip.log_odds, log_odds);
+  all_.push_back(slip);
 }
 
 void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
@@ -118,6 +126,11 @@ void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
   return at(all_, T_map_base) != all_.end();
+}
+
+bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const {
+  const auto place = at(all_, T_map_to);
+  return place != all_.end() && (place->has_slipped || isSlip(between(T_map_from, T_map_to)));
 }
 
 std::vector<Place> Hypotheses::explaining(const Observations& observations, double most) const {

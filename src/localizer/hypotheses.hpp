@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,9 +32,9 @@ class PlaceRefiner;
 /// all of the one where the robot was known to be; if it was not, a place that fits twice as well
 /// as another is likelier. Where most of a scan fits such a place, furniture may have been moved:
 /// it loses little by little, and least where beams only end before what the map has. If it does
-/// not fit, the robot is likelier within a slip of the wheels, up to a metre or 0.9 rad, than
-/// anywhere else. Unlike the modes of a particle cloud, masses of places that look the same do not
-/// drift: only what is seen decides between them.
+/// not fit, the robot is likelier within a slip of the wheels, up to a metre or 0.9 rad, or some
+/// slips, than anywhere else. Unlike the modes of a particle cloud, masses of places that look the
+/// same do not drift: only what is seen decides between them.
 ///
 /// What another sense says against a place is bounded where the laser sees: a compass that is
 /// disturbed, or a landmark that was moved, stays so, and decides only between places that scans
@@ -105,6 +104,10 @@ class Hypotheses {
   void addKept(const Pose2& T_map_base, const TrackingOdds& odds);
 
   bool knows(const Pose2& T_map_base) const;
+
+  /// Whether wheels can have slipped to one of the places, from where odometry has the robot or by
+  /// some slips on the way.
+  bool haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const;
 
   /// Those that explain what other senses tell, once they are corrected by it: whose misfit is
   /// below the most, m.
@@ -215,12 +218,6 @@ class Hypotheses {
   bool is_kept_ruled_out_{false};
   std::optional<double> left_out_;  // log odds of places for which there was no room
 };
-
-/// Wheels can have slipped so far, and turned by so much.
-inline bool isSlip(const Pose2& slip) {
-  constexpr double kWay = 1.0, kTurn = 1.0;  // m, rad
-  return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
-}
 
 /// The first of the modes that is the same place as a pose; null if there is none.
 inline const Mode* modeAt(const Pose2& T_map_base, const std::vector<Mode>& modes) {

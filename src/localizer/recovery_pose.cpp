@@ -50,11 +50,11 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
   return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
-/// Where odometry has the robot is ruled out, and where the core has it, as far away as wheels can
-/// slip, the scan fits.
+/// Where odometry has the robot is ruled out, and the scan fits where the core has it, to where the
+/// wheels slipped.
 bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  return scan_fits_ && isSlip(between(T_map_base_by_odometry, T_map_base)) &&
-         shareOf(T_map_base_by_odometry) < kRuledOut && modeAt(T_map_base, modes_);
+  return scan_fits_ && shareOf(T_map_base_by_odometry) < kRuledOut &&
+         hypotheses_.haveSlipped(T_map_base_by_odometry, T_map_base);
 }
 
 /// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
