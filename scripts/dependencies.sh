@@ -4,7 +4,8 @@
 libraries="build-essential cmake libeigen3-dev libopencv-dev libopencv-contrib-dev qtbase5-dev libyaml-cpp-dev libboost-dev
   libboost-iostreams-dev libboost-program-options-dev nlohmann-json3-dev libxxhash-dev liburdfdom-dev libtinyxml-dev"
 python="python3-pandas python3-scipy python3-matplotlib"
-commands="clang libclang-rt-14-dev liburdfdom-tools libgtest-dev libgmock-dev libbenchmark-dev doxygen xvfb xauth imagemagick parallel strace"
+commands="clang libclang-rt-14-dev liburdfdom-tools libgtest-dev libgmock-dev libbenchmark-dev doxygen xvfb xauth imagemagick parallel strace
+  g++-aarch64-linux-gnu qemu-user"
 
 ros="catkin libroscpp-dev librosbag-storage-dev libtopic-tools-dev libmessage-filters-dev libtf2-dev
   libtf2-ros-dev libtf2-geometry-msgs-dev libstd-msgs-dev libstd-srvs-dev libnav-msgs-dev libmap-msgs-dev

@@ -5,6 +5,8 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace adaptive_localization {
@@ -24,12 +26,17 @@ void sumPortable(const FieldView& field, const PoseColumns& poses, std::size_t b
   }
 }
 
+namespace {
+
+[[maybe_unused]] constexpr int kTileRowsLog2 = 5;
+static_assert(1 << kTileRowsLog2 == SparseGrid::kTileRows);
+
+}  // namespace
+
 #if defined(__x86_64__)
 namespace {
 
 constexpr std::size_t kLanes = 8;
-constexpr int kTileRowsLog2 = 5;
-static_assert(1 << kTileRowsLog2 == SparseGrid::kTileRows);
 
 __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseColumns& poses,
                                              std::size_t begin, std::size_t end, const float* x,
@@ -73,6 +80,52 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
 
 SumKernel fastestSum() {
   return __builtin_cpu_supports("avx2") ? sumAvx2 : sumPortable;
+}
+#elif defined(__aarch64__)
+namespace {
+
+constexpr std::size_t kLanes = 4;
+
+void sumNeon(const FieldView& field, const PoseColumns& poses, std::size_t begin, std::size_t end,
+             const float* x, const float* y, int hits, std::int32_t* sums) {
+  const float32x4_t zero = vdupq_n_f32(0.0F);
+  const float32x4_t max_u = vdupq_n_f32(field.max_u);
+  const float32x4_t max_v = vdupq_n_f32(field.max_v);
+  const int32x4_t in_tile_mask = vdupq_n_s32(SparseGrid::kTileRows - 1);
+  std::size_t i = begin;
+  for (; i + kLanes <= end; i += kLanes) {
+    const float32x4_t u = vld1q_f32(poses.u + i);
+    const float32x4_t v = vld1q_f32(poses.v + i);
+    const float32x4_t c = vld1q_f32(poses.cos + i);
+    const float32x4_t s = vld1q_f32(poses.sin + i);
+    int32x4_t sum = vdupq_n_s32(0);
+    for (int j = 0; j < hits; ++j) {
+      const float32x4_t du = vsubq_f32(vmulq_n_f32(c, x[j]), vmulq_n_f32(s, y[j]));
+      const float32x4_t dv = vaddq_f32(vmulq_n_f32(s, x[j]), vmulq_n_f32(c, y[j]));
+      // maxnm(a, 0) is 0 for a NaN, as in valueAt
+      const float32x4_t column = vminq_f32(vmaxnmq_f32(vaddq_f32(u, du), zero), max_u);
+      const float32x4_t row = vminq_f32(vmaxnmq_f32(vaddq_f32(v, dv), zero), max_v);
+      const int32x4_t row_of = vcvtq_s32_f32(row);
+      const int32x4_t in_tile = vandq_s32(row_of, in_tile_mask);
+      const int32x4_t strip = vmulq_n_s32(vsubq_s32(row_of, in_tile), field.stride);
+      const int32x4_t x_in_strip = vshlq_n_s32(vcvtq_s32_f32(column), kTileRowsLog2);
+      const int32x4_t index = vaddq_s32(vaddq_s32(strip, x_in_strip), in_tile);
+      // there is no gather
+      int32x4_t value = vdupq_n_s32(field.values[vgetq_lane_s32(index, 0)]);
+      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 1)], value, 1);
+      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 2)], value, 2);
+      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 3)], value, 3);
+      sum = vaddq_s32(sum, value);
+    }
+    vst1q_s32(sums + i, sum);
+  }
+  sumPortable(field, poses, i, end, x, y, hits, sums);
+}
+
+}  // namespace
+
+SumKernel fastestSum() {
+  return sumNeon;
 }
 #else
 SumKernel fastestSum() {

@@ -31,7 +31,7 @@ using SumKernel = void (*)(const FieldView& field, const PoseColumns& poses, std
 void sumPortable(const FieldView& field, const PoseColumns& poses, std::size_t begin,
                  std::size_t end, const float* x, const float* y, int hits, std::int32_t* sums);
 
-/// The same in AVX2 where the processor has it, else sumPortable.
+/// The same in AVX2 or NEON where the processor has it, else sumPortable.
 SumKernel fastestSum();
 
 /// The value at a point; u and v in cells of the bordered table. A NaN falls on the border.

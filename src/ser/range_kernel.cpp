@@ -7,6 +7,8 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace adaptive_localization {
@@ -66,6 +68,32 @@ __attribute__((target("avx2"))) int sumOfDistancesAvx2(const std::uint8_t* a_low
 
 RangeKernel fastestSumOfDistances() {
   return __builtin_cpu_supports("avx2") ? sumOfDistancesAvx2 : sumOfDistancesPortable;
+}
+#elif defined(__aarch64__)
+namespace {
+
+int sumOfDistancesNeon(const std::uint8_t* a_low, const std::uint8_t* a_high,
+                       const std::uint8_t* b_low, const std::uint8_t* b_high, int truncation,
+                       int most) {
+  const uint8x16_t greatest = vdupq_n_u8(static_cast<std::uint8_t>(truncation));
+  int sum = 0;
+  for (int line = 0; line < kBytes && sum <= most; line += kLine) {
+    uint16x8_t sums = vdupq_n_u16(0);
+    for (int i = line; i < line + kLine; i += 16) {
+      // saturating differences: at most one of the two is not 0
+      const uint8x16_t above = vqsubq_u8(vld1q_u8(a_low + i), vld1q_u8(b_high + i));
+      const uint8x16_t below = vqsubq_u8(vld1q_u8(b_low + i), vld1q_u8(a_high + i));
+      sums = vpadalq_u8(sums, vminq_u8(vorrq_u8(above, below), greatest));
+    }
+    sum += static_cast<int>(vaddlvq_u16(sums));
+  }
+  return sum;
+}
+
+}  // namespace
+
+RangeKernel fastestSumOfDistances() {
+  return sumOfDistancesNeon;
 }
 #else
 RangeKernel fastestSumOfDistances() {

@@ -17,7 +17,7 @@ int sumOfDistancesPortable(const std::uint8_t* a_low, const std::uint8_t* a_high
                            const std::uint8_t* b_low, const std::uint8_t* b_high, int truncation,
                            int most);
 
-/// The same in AVX2 where the processor has it, else sumOfDistancesPortable.
+/// The same in AVX2 or NEON where the processor has it, else sumOfDistancesPortable.
 RangeKernel fastestSumOfDistances();
 
 }  // namespace adaptive_localization
