@@ -15,31 +15,17 @@ namespace {
 constexpr double kPlaceVariance = 0.05 * 0.05;      // m^2, of a place aligned with a scan
 constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
-/// The likeliest of some hypotheses that is the same place as a pose, or the end.
-template <class All>
-auto at(All& all, const Pose2& T_map_base) {
-  return std::find_if(all.begin(), all.end(), [&](const auto& hypothesis) {
-    return areSamePlace(hypothesis.T_map_base, T_map_base);
-  });
-}
-
 /// From one of these an alignment can end where it does not from the other.
 bool isElsewhere(const Pose2& a, const Pose2& b) {
   constexpr double kNear = 0.1, kSame = 0.05;  // m, rad
   return distance(a, b) > kNear || std::abs(wrapAngle(a.theta - b.theta)) > kSame;
 }
 
-/// Wheels can have slipped so far, and turned by so much.
-bool isSlip(const Pose2& slip) {
-  constexpr double kWay = 1.0, kTurn = 1.0;  // m, rad
-  return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
-}
-
 /// The same, or else one that a core can have drifted off from.
 template <class All>
 auto about(All& all, const Pose2& T_map_core) {
   constexpr double kDrift = 1.5, kTurn = 0.35;  // m, rad
-  const auto same = at(all, T_map_core);
+  const auto same = placeAt(all, T_map_core);
   if (same != all.end()) return same;
   return std::find_if(all.begin(), all.end(), [&](const auto& hypothesis) {
     const Pose2& pose = hypothesis.T_map_base;
@@ -62,27 +48,11 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matr
   }
 }
 
-void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
-  if (all_.empty() || all_.size() == kMostPlaces || knows(T_map_core)) return;
-  const Hypothesis* from = nullptr;
-  for (const Hypothesis& hypothesis : all_) {
-    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
-    const bool is_likeliest = !from || hypothesis.log_odds > from->log_odds;
-    if (is_known && is_likeliest && isSlip(between(hypothesis.T_map_base, T_map_core))) {
-      from = &hypothesis;
-    }
-  }
-  if (!from) return add(T_map_core, log_odds);
-  Hypothesis slip = from->slippedTo(T_map_core);
-  slip.log_odds = std::max(slip.log_odds, log_odds);
-  all_.push_back(slip);
-}
-
 void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
                           const Eigen::Matrix3d& covariance, bool are_aligned) {
   left_out_.reset();
   for (const Place& place : places) {
-    const auto known = at(all_, place.T_map_base);
+    const auto known = placeAt(all_, place.T_map_base);
     if (known == all_.end() && all_.size() == kMostPlaces) {
       left_out_ = log_odds;
     } else if (known == all_.end()) {
@@ -125,12 +95,7 @@ void Hypotheses::addKept(const Pose2& T_map_base, const TrackingOdds& odds) {
 }
 
 bool Hypotheses::knows(const Pose2& T_map_base) const {
-  return at(all_, T_map_base) != all_.end();
-}
-
-bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const {
-  const auto place = at(all_, T_map_to);
-  return place != all_.end() && (place->has_slipped || isSlip(between(T_map_from, T_map_to)));
+  return placeAt(all_, T_map_base) != all_.end();
 }
 
 std::vector<Place> Hypotheses::explaining(const Observations& observations, double most) const {
@@ -204,7 +169,7 @@ void Hypotheses::prune() {
     const bool is_likely = hypothesis.log_odds >= best - kMargin;
     const bool is_slip = hypothesis.has_slipped && hypothesis.error < far_better;
     const bool is_left = is_likely || is_slip || (is_disputed && hypothesis.is_explained);
-    const auto same = at(all_, hypothesis.T_map_base);
+    const auto same = placeAt(all_, hypothesis.T_map_base);
     if (same != all_.end()) {
       same->was_believed = same->was_believed || hypothesis.was_believed;
       same->has_slipped = same->has_slipped || hypothesis.has_slipped;
@@ -217,7 +182,7 @@ void Hypotheses::prune() {
 }
 
 bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
-  const auto core = at(all_, T_map_core);
+  const auto core = placeAt(all_, T_map_core);
   if (core == all_.end()) return false;
   const Hypothesis& best = all_.front();
   return best.log_odds - core->log_odds > kMargin && best.error < kFarBetter * core->error &&

@@ -9,39 +9,6 @@
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
-namespace {
-
-/// Where a scan fits best about a pose. Hits can be drawn to the far side of a thin wall: ranges
-/// tell.
-Place alignedWith(const PlaceRefiner& refiner, const Pose2& T_map_base) {
-  constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
-  const Place moved = refiner.refine(T_map_base, kStiffness);
-  const Place stayed{T_map_base, refiner.error(T_map_base)};
-  const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
-  return is_better ? moved : stayed;
-}
-
-/// The best place a slip of the wheels, or a few, away from where odometry has the robot.
-Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
-  constexpr int kWays = 8, kTurns = 3;
-  constexpr double kStep = 0.4, kTurn = 0.3;  // m, rad
-  Place best{ridden, RangeError::kTruncation};
-  const auto tryFrom = [&](const Pose2& slip) {
-    const Place there = alignedWith(refiner, ridden * slip);
-    if (there.error < best.error) best = there;
-  };
-  for (const double far : {kStep, 2.0 * kStep}) {
-    for (int i = 0; i < kWays; ++i) {
-      const double way = 2.0 * kPi * i / kWays;
-      tryFrom({far * std::cos(way), far * std::sin(way), 0.0});
-    }
-  }
-  for (int i = -kTurns; i <= kTurns; ++i) tryFrom({0.0, 0.0, kTurn * i});
-  return best;
-}
-
-}  // namespace
-
 PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
   return {ground_.map, ground_.field, scan, scan.max_range, RangeError::kTruncation};
 }
@@ -58,7 +25,7 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
                               const Place& before, double usual) {
   const Pose2 T_map_core = *hypothesis.T_map_core, ridden = hypothesis.T_map_ridden;
   hypothesis.T_map_core.reset();
-  const Place now = alignedWith(refiner, T_map_core);
+  const Place now = refiner.align(T_map_core);
   const bool leads_away = distance(before.T_map_base, T_map_core) > kSamePlace &&
                           distance(before.T_map_base, ridden) > distance(T_map_core, ridden);
   if (leads_away) {
@@ -72,29 +39,6 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
-/// A place that was known and does not fit may be a slip away, which is likelier than any other. It
-/// becomes one of its own, since a map where walls are missing may deceive; if it is there already,
-/// as the core went there, it is as likely.
-void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept,
-                             const Place& aligned, double usual) {
-  const double most = UsualError(usual).limit();
-  if (refiner.errorPerHit(aligned) <= most) return;
-  const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
-  if (slipped.error > std::min(most, kFarBetter * aligned.error)) return;
-  Hypothesis slip = kept.slippedTo(slipped.T_map_base);
-  slip.error = slipped.error;
-  const auto known = std::find_if(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
-    return areSamePlace(hypothesis.T_map_base, slipped.T_map_base);
-  });
-  if (known == all_.end()) {
-    led_to_.push_back(slip);
-  } else if (known->is_new && !known->was_believed && known->log_odds < slip.log_odds) {
-    known->log_odds = slip.log_odds;
-    known->word = slip.word;
-    known->has_slipped = true;
-  }
-}
-
 void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
@@ -104,9 +48,9 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
     Place place = hypothesis.aligned ? *std::exchange(hypothesis.aligned, {})
-                                     : alignedWith(refiner, hypothesis.T_map_ridden);
+                                     : refiner.align(hypothesis.T_map_ridden);
     if (hypothesis.T_map_found) {
-      const Place found = alignedWith(refiner, *hypothesis.T_map_found);
+      const Place found = refiner.align(*hypothesis.T_map_found);
       if (withTolerance(found.error) < place.error) place = found;
     }
     if (hypothesis.T_map_core) {
@@ -161,7 +105,7 @@ void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction
     if (!hypothesis.is_due || loss(hypothesis.error, usual) == 0.0) continue;
     const Pose2 corrected = hypothesis.T_map_ridden * correction;
     if (refiner.error(corrected) >= hypothesis.error) continue;
-    const Place place = alignedWith(refiner, corrected);
+    const Place place = refiner.align(corrected);
     if (loss(place.error, usual) > 0.0) continue;
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;

@@ -60,4 +60,12 @@ struct Hypothesis {
   }
 };
 
+/// The likeliest of some hypotheses that is the same place as a pose, or the end.
+template <class All>
+auto placeAt(All& all, const Pose2& T_map_base) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& hypothesis) {
+    return areSamePlace(hypothesis.T_map_base, T_map_base);
+  });
+}
+
 }  // namespace adaptive_localization

@@ -70,4 +70,12 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   return {pose, error(pose)};
 }
 
+Place PlaceRefiner::align(const Pose2& T_map_base) const {
+  constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
+  const Place moved = refine(T_map_base, kStiffness);
+  const Place stayed{T_map_base, error(T_map_base)};
+  const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
+  return is_better ? moved : stayed;
+}
+
 }  // namespace adaptive_localization

@@ -24,6 +24,10 @@ class PlaceRefiner {
   /// stays.
   Place refine(const Pose2& T_map_base, double stiffness = 0.0) const;
 
+  /// The same for a place that is followed: where it stays one, by ranges, and else where it is.
+  /// Hits can be drawn to the far side of a thin wall: ranges tell.
+  Place align(const Pose2& T_map_base) const;
+
   /// Of ranges, truncated, both cut off at max_range.
   RangeError::Fit fit(const Pose2& T_map_base) const {
     return range_error_.at(T_map_base, scan_, max_range_);

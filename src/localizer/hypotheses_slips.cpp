@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the wheels can have slipped to from the place that was known.
+#include <algorithm>
+#include <cmath>
+
+#include "localizer/hypotheses.hpp"
+#include "localizer/usual_error.hpp"
+#include "ser/place_refiner.hpp"
+
+namespace adaptive_localization {
+namespace {
+
+/// Wheels can have slipped so far, and turned by so much.
+bool isSlip(const Pose2& slip) {
+  constexpr double kWay = 1.0, kTurn = 1.0;  // m, rad
+  return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
+}
+
+/// The best place a slip of the wheels, or a few, away from where odometry has the robot.
+Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
+  constexpr int kWays = 8, kTurns = 3;
+  constexpr double kStep = 0.4, kTurn = 0.3;  // m, rad
+  Place best{ridden, RangeError::kTruncation};
+  const auto tryFrom = [&](const Pose2& slip) {
+    const Place there = refiner.align(ridden * slip);
+    if (there.error < best.error) best = there;
+  };
+  for (const double far : {kStep, 2.0 * kStep}) {
+    for (int i = 0; i < kWays; ++i) {
+      const double way = 2.0 * kPi * i / kWays;
+      tryFrom({far * std::cos(way), far * std::sin(way), 0.0});
+    }
+  }
+  for (int i = -kTurns; i <= kTurns; ++i) tryFrom({0.0, 0.0, kTurn * i});
+  return best;
+}
+
+}  // namespace
+
+void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
+  if (all_.empty() || all_.size() == kMostPlaces || knows(T_map_core)) return;
+  const Hypothesis* from = nullptr;
+  for (const Hypothesis& hypothesis : all_) {
+    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
+    const bool is_likeliest = !from || hypothesis.log_odds > from->log_odds;
+    if (is_known && is_likeliest && isSlip(between(hypothesis.T_map_base, T_map_core))) {
+      from = &hypothesis;
+    }
+  }
+  if (!from) return add(T_map_core, log_odds);
+  Hypothesis slip = from->slippedTo(T_map_core);
+  slip.log_odds = std::max(slip.log_odds, log_odds);
+  all_.push_back(slip);
+}
+
+bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const {
+  const auto place = placeAt(all_, T_map_to);
+  return place != all_.end() && (place->has_slipped || isSlip(between(T_map_from, T_map_to)));
+}
+
+/// A place that was known and does not fit may be a slip away, which is likelier than any other. It
+/// becomes one of its own, since a map where walls are missing may deceive; if it is there already,
+/// as the core went there, it is as likely.
+void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept,
+                             const Place& aligned, double usual) {
+  const double most = UsualError(usual).limit();
+  if (refiner.errorPerHit(aligned) <= most) return;
+  const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
+  if (slipped.error > std::min(most, kFarBetter * aligned.error)) return;
+  Hypothesis slip = kept.slippedTo(slipped.T_map_base);
+  slip.error = slipped.error;
+  const auto known = placeAt(all_, slipped.T_map_base);
+  if (known == all_.end()) {
+    led_to_.push_back(slip);
+  } else if (known->is_new && !known->was_believed && known->log_odds < slip.log_odds) {
+    known->log_odds = slip.log_odds;
+    known->word = slip.word;
+    known->has_slipped = true;
+  }
+}
+
+}  // namespace adaptive_localization
