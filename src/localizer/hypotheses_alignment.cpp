@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "localizer/hypotheses.hpp"
@@ -9,6 +8,7 @@
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
+
 PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
   return {ground_.map, ground_.field, scan, scan.max_range, RangeError::kTruncation};
 }
