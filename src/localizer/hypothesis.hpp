@@ -43,10 +43,10 @@ struct Hypothesis {
   Eigen::Matrix3d covariance = placeCovariance();
   double way{0.0};  // m or rad, since it was corrected by other senses
 
-  /// The wheels slipped from here to another place.
+  /// The wheels slipped from here to another place, which no scan told from all others yet.
   Hypothesis slippedTo(const Pose2& T_map_slipped) const {
     Hypothesis slip{T_map_slipped, log_odds - kSlip};
-    slip.word = std::max(0.0, std::min(word, slip.log_odds));
+    slip.word = std::max(0.0, slip.log_odds);
     slip.has_slipped = true;
     return slip;
   }
