@@ -15,7 +15,7 @@ PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
 
 void Hypotheses::follow(const Scan& scan, double usual) {
   for (Hypothesis& hypothesis : all_) hypothesis.is_due = true;
-  align(refinerFor(scan), usual);
+  align(refinerFor(scan), usual, false);
 }
 
 /// The better one of two ways to the core's place: from where it was and from where the core is.
@@ -39,7 +39,7 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
-void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
+void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for_slips) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
   led_to_.clear();
@@ -57,8 +57,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual) {
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);
     }
-    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
-    if (is_known) lookForSlip(refiner, hypothesis, place, usual);
+    if (looks_for_slips && hypothesis.isKnown()) lookForSlip(refiner, hypothesis, place, usual);
     hypothesis.T_map_base = place.T_map_base;
     hypothesis.error = place.error;
     least_error_ = std::min(least_error_, place.error);

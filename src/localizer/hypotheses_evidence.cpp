@@ -71,8 +71,7 @@ void Hypotheses::choose(double share) {
     hypothesis.share = std::min(1.0, hypothesis.share + share);
     ++hypothesis.waited;
     hypothesis.is_due = hypothesis.aligned.has_value() || hypothesis.T_map_core.has_value() ||
-                        hypothesis.was_believed || hypothesis.has_slipped ||
-                        (!hypothesis.is_new && likeliest++ < kLikeliest);
+                        hypothesis.isKnown() || (!hypothesis.is_new && likeliest++ < kLikeliest);
     if (hypothesis.is_due) continue;
     others.push_back(&hypothesis);
     added += hypothesis.is_new ? 1 : 0;
@@ -111,7 +110,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
   const bool is_seen = scan.hits() > 0;
   const PlaceRefiner refiner = refinerFor(scan);
   choose(share);
-  is_seen ? align(refiner, usual) : correctBySenses(observations);
+  is_seen ? align(refiner, usual, true) : correctBySenses(observations);
   for (const Hypothesis& other : led_to_) {
     if (all_.size() >= kMostPlaces) break;
     all_.push_back(other);

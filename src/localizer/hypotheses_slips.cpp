@@ -41,11 +41,9 @@ void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
   if (all_.empty() || all_.size() == kMostPlaces || knows(T_map_core)) return;
   const Hypothesis* from = nullptr;
   for (const Hypothesis& hypothesis : all_) {
-    const bool is_known = hypothesis.was_believed || hypothesis.has_slipped;
     const bool is_likeliest = !from || hypothesis.log_odds > from->log_odds;
-    if (is_known && is_likeliest && isSlip(between(hypothesis.T_map_base, T_map_core))) {
-      from = &hypothesis;
-    }
+    const bool is_from = isSlip(between(hypothesis.T_map_base, T_map_core));
+    if (hypothesis.isKnown() && is_likeliest && is_from) from = &hypothesis;
   }
   if (!from) return add(T_map_core, log_odds);
   Hypothesis slip = from->slippedTo(T_map_core);

@@ -22,7 +22,7 @@ struct Hypothesis {
   Pose2 T_map_base;
   double log_odds{0.0};
   double prior{0.0};  // of the odds, before any scan
-  double word{0.0};   // of the odds, what no scan told but somebody, of this place or a slip away
+  double word{0.0};   // of the odds, what no scan told: somebody did, or it is but a slip away
   bool is_kept{false};
   bool was_believed{false};  // it was the only one before the others were looked for
   bool has_slipped{false};   // from there, or from where that one slipped to
@@ -42,6 +42,9 @@ struct Hypothesis {
   std::vector<double> sensed{};  // of the odds, what each other sense than the laser says
   Eigen::Matrix3d covariance = placeCovariance();
   double way{0.0};  // m or rad, since it was corrected by other senses
+
+  /// The place that was believed in, or where the wheels slipped to from there.
+  bool isKnown() const { return was_believed || has_slipped; }
 
   /// The wheels slipped from here to another place, which no scan told from all others yet.
   Hypothesis slippedTo(const Pose2& T_map_slipped) const {

@@ -614,7 +614,6 @@ TEST(Hypotheses, ASlipIsLookedForWhereFewBeamsHit) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(truth * Pose2{0.0, 0.0, 0.9}, tracked(1.0));
   hypotheses.weigh(seen, 1.0, kUsual);
-  EXPECT_GT(massOf(hypotheses, truth), 0.0);
   const std::vector<Mode> modes = hypotheses.modes();
   const bool is_found = std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
     return std::abs(wrapAngle(mode.T_map_base.theta - truth.theta)) < 0.1;
