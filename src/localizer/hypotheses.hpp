@@ -170,6 +170,9 @@ class Hypotheses {
     return is_kept_ruled_out_ ? std::make_optional(T_map_kept_) : std::nullopt;
   }
 
+  /// Whether the likeliest place is one that wheels slipped to.
+  bool isBySlip() const { return !all_.empty() && all_.front().has_slipped; }
+
   /// What the kept place lost to scans that speak for others: most of the scan does not fit there,
   /// so that furniture is no excuse, or it fits another place twice as well. Log odds.
   double refuted() const;

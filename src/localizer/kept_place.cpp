@@ -10,9 +10,11 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kMostOff = 0.4, kMostHidden = 0.5;              // of the beams
-constexpr double kMostHits = 0.9;                                // of a scan that fits
+constexpr double kMostOfView = kPi / 2.0;                        // rad, hidden
+constexpr double kMostHits = 0.8;                                // of a scan that fits
 constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
-constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall
+constexpr double kNearlyAll = 0.95, kMostOfRest = 0.9;           // of the hits, where that is so
+constexpr double kOn = 0.1;                                      // m, from a wall
 constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds
 
 }  // namespace
@@ -20,12 +22,15 @@ constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error) {
   const RangeError::Fit fit = refiner.fit(T_map_base);
-  const double through = fit.off_share - fit.short_share;
-  const bool is_hidden = through < std::max(kThrough, kOfShort * fit.short_share);
-  const bool most_fits = fit.off_share < (is_hidden ? kMostHidden : kMostOff) ||
-                         refiner.hitShare(T_map_base, UsualError(usual_error).limit()) > kMostHits;
-  if (!most_fits) return std::numeric_limits<double>::infinity();
-  if (is_hidden || refiner.hitShare(T_map_base, kOn) > kNearlyAll) return kHidden;
+  const bool is_hidden = fit.throughShare() < std::max(kThrough, kOfShort * fit.short_share);
+  const double most_hidden = std::max(kMostHidden, kMostOfView / refiner.view());
+  const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
+  if (!fits_by_ranges &&
+      refiner.hitShare(T_map_base, UsualError(usual_error).limit()) <= kMostHits) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double nearly_all = fits_by_ranges ? kMostOfRest * (1.0 - fit.short_share) : kNearlyAll;
+  if (is_hidden || refiner.hitShare(T_map_base, kOn) > nearly_all) return kHidden;
   return is_word ? kInitial : kTracked;
 }
 

@@ -36,7 +36,7 @@ void Recovery::reset(const Prior& prior) {
   left_.reset();
   initial_pose_ = InitialPose(is_given);
   odds_ = TrackingOdds(is_given);
-  unexplained_ = unfit_ = 0;
+  unexplained_ = unfit_ = blind_ = 0;
   pace_.restart();
   scan_change_.forget();
   T_odom_base_.reset();
@@ -96,8 +96,9 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const Pose2& T_map_base = estimate.T_map_base;
   scan_fits_ = false;
   if (!tells(observations)) return seeNothing(estimate, all);
+  blind_ = 0;
   confidence_.observe(estimate, observations);
-  if (confidence_.contradictions() >= kContradictions) odds_.seeNothing();  // garbage, say
+  if (isGarbled(T_map_base, observations.scan)) odds_.seeNothing();
   const double error = errorAt(T_map_base, observations);
   const bool fits_on = error <= kWorse * std::max(error_, usual_.value());
   if (std::exchange(is_carried_, false) && !fits_on) beCarried(T_map_base_expected);

@@ -128,6 +128,7 @@ class Recovery {
   static Observations withoutCover(const Observations& observations);
   bool tells(const Observations& observations) const;
   void seeNothing(const Estimate& estimate, const Observations& observations);
+  bool isGarbled(const Pose2& T_map_base, const Scan& scan) const;
   double shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) const;
   double errorAt(const Pose2& T_map_base, const Observations& observations) const;
   bool canSearch(const Observations& observations) const;
@@ -142,6 +143,7 @@ class Recovery {
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
+  void leaveOdds();
   void search(const Observations& observations);
   void updateStatus();
   Status judge() const;
@@ -190,6 +192,7 @@ class Recovery {
   bool were_many_{false};    // or in the last race
   int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};             // or hardly at all
+  int blind_{0};             // scans in a row that told nothing
   double contradictions_{0.0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
   ScanChange scan_change_;

@@ -57,16 +57,16 @@ bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_ma
          hypotheses_.haveSlipped(T_map_base_by_odometry, T_map_base);
 }
 
-/// A robot that was known to be somewhere is there, as the core has it, until that place is ruled
-/// out and another one, that explains the scan well, is likelier than all others: what a core makes
-/// of a blocked laser is no reason to jump. One that was not stays in one of the likely places; so
-/// does one that left such a place some way ago, if the core is in one.
+/// A robot that was known or told to be somewhere is there, as the core has it, until that place is
+/// ruled out and another one, that explains the scan well, is likelier than all others: what a core
+/// makes of a blocked laser is no reason to jump. One that was not stays in one of the likely
+/// places; so does one that left such a place some way ago, if the core is in one.
 bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   constexpr double kLikely = 0.97, kWell = 0.1;  // mass, m
   constexpr double kFarFromIt = 3.0;             // m, of way
   if (status_ == Status::kTracking || areSamePlace(T_map_base_by_odometry, T_map_base)) return true;
   if (status_ == Status::kAmbiguous && is_settled_ && !proof_.isGiven()) return true;
-  if (!was_tracking_) return !heldPlace(T_map_base_by_odometry);
+  if (!was_tracking_ && proof_.isByScans()) return !heldPlace(T_map_base_by_odometry);
   if (hasSlipped(T_map_base_by_odometry, T_map_base)) return true;
   if (left_way_ > kFarFromIt && heldPlace(T_map_base)) return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;

@@ -114,7 +114,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
       !hypotheses_.lackSome() && !pace_.wasBlind(hypotheses_.leastError());
   if (!were_all_compared) return search(observations);
   if (hypotheses_.ruledOut()) {
-    odds_ = TrackingOdds();  // those were of that place
+    leaveOdds();
     proof_.demand();
   }
   if (!is_alike_) proof_.trust();
@@ -124,6 +124,16 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
+}
+
+/// They were of a place that is ruled out. If the wheels slipped from there, all others are as
+/// unlikely as they were.
+void Recovery::leaveOdds() {
+  if (hypotheses_.isBySlip()) {
+    odds_.lose(Hypothesis::kSlip);
+  } else {
+    odds_ = TrackingOdds();
+  }
 }
 
 void Recovery::search(const Observations& observations) {

@@ -29,15 +29,26 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
   return seesNothing(scan) ? range_error_.at(T_map_base, scan).off_share : 0.0;
 }
 
+/// Scans contradict the place, one after another: the laser sends garbage, or the place is another
+/// one, through whose walls beams go on. If most only end before them, something stands there that
+/// the map does not have.
+bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
+  if (confidence_.contradictions() < kContradictions) return false;
+  const RangeError::Fit fit = range_error_.at(T_map_base, scan);
+  return scan.hits() == 0 || fit.throughShare() > fit.short_share;
+}
+
 /// A view into the open is as good as any, unless the map has walls there: then the robot is
-/// elsewhere. Else something is before the laser.
+/// elsewhere. Else something is before the laser, or somebody who passes by.
 void Recovery::seeNothing(const Estimate& estimate, const Observations& all) {
+  constexpr int kBrief = 10;  // scans
   ground_.places->askAnew();
   const bool is_open = seesNothing(all.scan);
   const bool is_elsewhere = shareOfWallsMissed(estimate.T_map_base, all.scan) > kMissed;
   confidence_.observe(estimate, is_open ? withoutCover(all) : all);
   if (is_elsewhere) confidence_.contradict();
-  if (is_elsewhere || !is_open) odds_.seeNothing();
+  blind_ = is_elsewhere || !is_open ? blind_ + 1 : 0;
+  if (blind_ > kBrief) odds_.seeNothing();
   updateStatus();
 }
 

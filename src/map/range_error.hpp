@@ -26,6 +26,9 @@ class RangeError {
     double error{kTruncation};  // mean per beam, m; the truncation for a scan without beams
     double short_share{0.0};    // of the beams: too short by 0.25 m and more
     double off_share{0.0};      // the same, too short or too long
+
+    /// Of the beams, those that go on where the map has a wall.
+    double throughShare() const { return off_share - short_share; }
   };
 
   explicit RangeError(std::shared_ptr<const OccupancyGrid> map,

@@ -43,6 +43,9 @@ class PlaceRefiner {
     return place.error * beams / std::max(1, scan_.hits());
   }
 
+  /// Of the scan, from its first beam to its last, rad.
+  double view() const { return scan_.view.width; }
+
   /// The mean range error.
   double error(const Pose2& T_map_base) const { return fit(T_map_base).error; }
 

@@ -41,10 +41,11 @@ std::shared_ptr<const OccupancyGrid> world(const Art& art) {
 }
 
 /// Against the place, on one map, by a scan of another world.
-double against(const Art& on_map, const Art& in_world, bool is_word = false) {
+double against(const Art& on_map, const Art& in_world, bool is_word = false,
+               const ToyLaser& laser = {181, -kPi / 2, kPi / 2, 12.0}) {
   const auto map = world(on_map);
   const auto field = std::make_shared<const DistanceField>(*map);
-  const Scan scan = ToyLaser{181, -kPi / 2, kPi / 2, 12.0}.observe(world(in_world), kPlace).scan;
+  const Scan scan = laser.observe(world(in_world), kPlace).scan;
   const PlaceRefiner refiner(map, field, scan, scan.max_range, RangeError::kTruncation);
   return mostAgainst(refiner, kPlace, is_word, 0.05);
 }
@@ -92,11 +93,47 @@ TEST(KeptPlace, LosesLittleIfWhatWasBroughtHidesNearlyHalfAndIsLostIfItHidesMore
                               "################"};
   EXPECT_DOUBLE_EQ(against(kBare, with_two_boxes), 0.2);
   EXPECT_TRUE(std::isinf(against(kBare, with_walls_around)));
+  const ToyLaser camera{81, -0.5, 0.5, 12.0};  // one thing may fill its view
+  EXPECT_DOUBLE_EQ(against(kBare, with_walls_around, false, camera), 0.2);
+  const ToyLaser wide{181, -0.8, 0.8, 12.0};
+  EXPECT_TRUE(std::isinf(against(kBare, with_walls_around, false, wide)));
 }
 
 TEST(KeptPlace, LosesLittleByWhatWasTakenAway) {
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare), 0.2);
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare, true), 0.2);
+}
+
+TEST(KeptPlace, LosesLittleByWhatWasTakenAwayThoughSomebodyStandsBesideIt) {
+  const Art with_somebody{"################",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#......##......#",  //
+                          "################"};
+  EXPECT_DOUBLE_EQ(against(kWithBox, with_somebody), 0.2);
+}
+
+TEST(KeptPlace, IsNotLostByALargeThingThatWasTakenAwayThoughSomebodyStandsBesideIt) {
+  const Art with_large_box{"################",  //
+                           "#......#.......#",  //
+                           "#......#.......#",  //
+                           "#......#.......#",  //
+                           "#......#.......#",  //
+                           "#......#.......#",  //
+                           "#......#.......#",  //
+                           "################"};
+  const Art with_somebody{"################",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "#.....#........#",  //
+                          "#..............#",  //
+                          "#..............#",  //
+                          "################"};
+  EXPECT_DOUBLE_EQ(against(with_large_box, with_somebody), 0.2);
 }
 
 TEST(KeptPlace, LosesMoreWhereBeamsGoOnToWhereNothingIs) {

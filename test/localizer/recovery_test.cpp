@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <vector>
 
 #include "ser/places.hpp"
@@ -320,11 +321,8 @@ TEST(Recovery, APlaceThatTheCoreLeftStaysInTheRace) {
   EXPECT_TRUE(watched.recovery.mustMove());
 }
 
-TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
-  Watched watched(asymmetricWorld());
-  Pose2 truth{2.0, 3.0, -0.5};
-  watched.tell(truth);
-  watched.see(truth, truth);
+/// Of a laser that something covers.
+Observations coveredScan() {
   std::vector<Eigen::Vector2d> cover;
   for (int i = -80; i <= 80; ++i) {
     const double range = 0.25 + 0.1 * (i % 3);
@@ -333,6 +331,15 @@ TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   Observations covered = hitsAt(cover, 12.0);
   covered.scan.view.start = -kPi / 2;
   covered.scan.view.width = kPi;
+  return covered;
+}
+
+TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{2.0, 3.0, -0.5};
+  watched.tell(truth);
+  watched.see(truth, truth);
+  const Observations covered = coveredScan();
   EXPECT_EQ(watched.recovery.evidenceOf(truth, covered.scan).hits(), 0);
   for (int i = 0; i < 10; ++i) {
     watched.observe(covered, truth);
@@ -415,9 +422,12 @@ TEST(Recovery, APoseStaysAtOneOfTwoEndsThatLookAlike) {
   }
 }
 
-/// It was carried to where two places look alike: which one it is nobody knows, but not the old
-/// one.
-TEST(Recovery, SomeWayAfterItLeftAPlaceThePoseIsOfAPlaceThatIsLeft) {
+/// It was carried to where two places look alike, or its initial pose is wrong: which one it is
+/// nobody knows, but not the old one.
+class RobotThatIsNotWhereItWas : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(TrackedForMetres, RobotThatIsNotWhereItWas, testing::Values(0.0, 2.0));
+
+TEST_P(RobotThatIsNotWhereItWas, IsInAPlaceThatIsLeftSomeWayAfterItLeftTheOld) {
   Watched watched(hollow(*toyWorld({"####################",  //
                                     "#.......#....##....#",  //
                                     "#.......#....##....#",  //
@@ -430,7 +440,7 @@ TEST(Recovery, SomeWayAfterItLeftAPlaceThePoseIsOfAPlaceThatIsLeft) {
                                    0.05, {}, 10)));
   Pose2 truth{1.0, 1.0, 0.0};
   watched.tell(truth);
-  watched.track(truth, 2.0);
+  watched.track(truth, GetParam());
   Pose2 by_odometry = watched.believed;
   truth = {5.3, 3.0, 0.3};
   for (int i = 0; i < 3 && !watched.recovery.mustMove(); ++i) watched.see(truth, watched.believed);
@@ -657,6 +667,54 @@ TEST(Recovery, APlaceThatIsFoundDoesNotInheritTheOddsOfTheOneThatWasLeft) {
   ASSERT_EQ(watched.recovery.status(), Status::kTracking);
   watched.track(truth, 0.5);
   EXPECT_GT(watched.placesAfterAJumpFrom(truth), 1U);
+}
+
+/// Where it slipped from was known, and so it is known where it slipped to.
+TEST(Recovery, APlaceThatWheelsSlippedToInheritsTheOddsOfTheOneThatWasLeft) {
+  WatchedInTheHall watched;
+  Pose2 truth{0.8, 0.75, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  for (int i = 0; i < 40 && (i == 0 || watched.recovery.status() != Status::kTracking); ++i) {
+    const Pose2 motion{i % 4 < 2 ? 0.1 : -0.1, 0.0, 0.1};
+    truth = truth * motion;
+    watched.see(truth, truth, i == 0 ? Pose2{0.1, 0.0, 0.7} : motion);
+  }
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  EXPECT_EQ(watched.placesAfterAJumpFrom(kAtTheBlock), 1U);
+}
+
+/// Of a tracked robot to which some scans of another kind were sent: how many places are left once
+/// its core jumps along the hall.
+std::size_t placesAfter(int scans,
+                        const std::function<Observations(const Observations&)>& changed) {
+  WatchedInTheHall watched;
+  Pose2 truth = kAtTheBlock;
+  watched.tell(truth);
+  watched.see(truth, truth);
+  watched.track(truth, 4.0);
+  const Observations seen = watched.laser.observe(watched.map, truth);
+  for (int i = 0; i < scans; ++i) watched.observe(changed(seen), truth);
+  for (int i = 0; i < 3; ++i) watched.see(truth, truth);
+  return watched.placesAfterAJumpFrom(truth);
+}
+
+Observations withRanges(Observations seen, float share) {
+  for (Eigen::ArrayXf* lengths : {&seen.scan.x, &seen.scan.y, &seen.scan.range}) *lengths *= share;
+  return seen;
+}
+
+TEST(Recovery, ACoverTakesOddsAwayUnlessSomebodyOnlyPassesBy) {
+  const auto covered = [](const Observations&) { return coveredScan(); };
+  EXPECT_EQ(placesAfter(14, covered), 1U);
+  EXPECT_GT(placesAfter(60, covered), 1U);
+}
+
+TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessTheyOnlyEndBeforeItsWalls) {
+  const auto hidden = [](const Observations& seen) { return withRanges(seen, 0.6F); };
+  const auto beyond = [](const Observations& seen) { return withRanges(seen, 1.7F); };
+  EXPECT_EQ(placesAfter(60, hidden), 1U);
+  EXPECT_GT(placesAfter(60, beyond), 1U);
 }
 
 /// Two scans told lies: the core was moved to where they seemed to be from.
