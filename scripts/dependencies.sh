@@ -3,7 +3,7 @@
 # `panel` by the panel of rviz alone, `commands` are for tests, pictures and pages.
 libraries="build-essential cmake libeigen3-dev libopencv-dev libopencv-contrib-dev qtbase5-dev libyaml-cpp-dev libboost-dev
   libboost-iostreams-dev libboost-program-options-dev nlohmann-json3-dev libxxhash-dev liburdfdom-dev libtinyxml-dev"
-python="python3-pandas python3-scipy python3-matplotlib"
+python="python3-pandas python3-scipy python3-matplotlib python3-yaml"
 commands="clang libclang-rt-14-dev liburdfdom-tools libgtest-dev libgmock-dev libbenchmark-dev doxygen xvfb xauth imagemagick parallel strace
   g++-aarch64-linux-gnu qemu-user"
 
