@@ -13,8 +13,8 @@ constexpr double kMostOff = 0.4, kMostHidden = 0.5;              // of the beams
 constexpr double kMostOfView = kPi / 2.0;                        // rad, hidden
 constexpr double kMostHits = 0.8;                                // of a scan that fits
 constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
-constexpr double kNearlyAll = 0.95, kMostOfRest = 0.9;           // of the hits, where that is so
-constexpr double kOn = 0.1;                                      // m, from a wall
+constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall
+constexpr double kMostOfRest = 0.9;                              // of those that nothing hides
 constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds
 
 }  // namespace
