@@ -30,12 +30,14 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 }
 
 /// Scans contradict the place, one after another: the laser sends garbage, or the place is another
-/// one, through whose walls beams go on. If most only end before them, something stands there that
-/// the map does not have.
+/// one. If a camera's beams rather end before the map's walls than go on through them, something
+/// that the map does not have may fill its view.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
+  constexpr double kCamera = kPi / 2.0;  // rad
   if (confidence_.contradictions() < kContradictions) return false;
+  if (scan.hits() == 0 || scan.view.width > kCamera) return true;
   const RangeError::Fit fit = range_error_.at(T_map_base, scan);
-  return scan.hits() == 0 || fit.throughShare() > fit.short_share;
+  return fit.throughShare() > fit.short_share;
 }
 
 /// A view into the open is as good as any, unless the map has walls there: then the robot is

@@ -686,15 +686,19 @@ TEST(Recovery, APlaceThatWheelsSlippedToInheritsTheOddsOfTheOneThatWasLeft) {
 
 /// Of a tracked robot to which some scans of another kind were sent: how many places are left once
 /// its core jumps along the hall.
-std::size_t placesAfter(int scans,
-                        const std::function<Observations(const Observations&)>& changed) {
+std::size_t placesAfter(int scans, const std::function<Observations(const Observations&)>& changed,
+                        double view = kPi) {
   WatchedInTheHall watched;
   Pose2 truth = kAtTheBlock;
   watched.tell(truth);
   watched.see(truth, truth);
   watched.track(truth, 4.0);
   const Observations seen = watched.laser.observe(watched.map, truth);
-  for (int i = 0; i < scans; ++i) watched.observe(changed(seen), truth);
+  for (int i = 0; i < scans; ++i) {
+    Observations sent = changed(seen);
+    sent.scan.view.width = view;
+    watched.observe(sent, truth);
+  }
   for (int i = 0; i < 3; ++i) watched.see(truth, truth);
   return watched.placesAfterAJumpFrom(truth);
 }
@@ -710,11 +714,13 @@ TEST(Recovery, ACoverTakesOddsAwayUnlessSomebodyOnlyPassesBy) {
   EXPECT_GT(placesAfter(60, covered), 1U);
 }
 
-TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessTheyOnlyEndBeforeItsWalls) {
-  const auto hidden = [](const Observations& seen) { return withRanges(seen, 0.6F); };
+TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessSomethingFillsACamerasView) {
+  const auto hidden = [](const Observations& seen) { return withRanges(seen, 0.4F); };
   const auto beyond = [](const Observations& seen) { return withRanges(seen, 1.7F); };
-  EXPECT_EQ(placesAfter(60, hidden), 1U);
-  EXPECT_GT(placesAfter(60, beyond), 1U);
+  constexpr double kCamera = 1.0;  // rad
+  EXPECT_EQ(placesAfter(60, hidden, kCamera), 1U);
+  EXPECT_GT(placesAfter(60, beyond, kCamera), 1U);
+  EXPECT_GT(placesAfter(60, hidden), 1U);
 }
 
 /// Two scans told lies: the core was moved to where they seemed to be from.
