@@ -10,7 +10,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kMostOff = 0.4, kMostHidden = 0.5;              // of the beams
-constexpr double kMostOfView = kPi / 2.0;                        // rad, hidden
 constexpr double kMostHits = 0.8;                                // of a scan that fits
 constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
 constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall

@@ -5,6 +5,9 @@
 
 namespace adaptive_localization {
 
+/// So much of a view one thing that the map does not have may hide, rad: all that a camera sees.
+constexpr double kMostOfView = kPi / 2.0;
+
 /// What a scan may say at most, in log odds, against a place where the robot was told or known to
 /// be; no bound where most of the scan does not fit there. Where most of it fits, by ranges or by
 /// where hits are, something there has rather changed than is it another place. Least of all is

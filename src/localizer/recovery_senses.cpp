@@ -2,6 +2,7 @@
 // What observations tell of places, by the laser or, without one, by other senses.
 #include <algorithm>
 
+#include "kept_place.hpp"
 #include "localizer/recovery.hpp"
 #include "occlusion.hpp"
 #include "ser/places.hpp"
@@ -33,9 +34,8 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 /// one. If a camera's beams rather end before the map's walls than go on through them, something
 /// that the map does not have may fill its view.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
-  constexpr double kCamera = kPi / 2.0;  // rad
   if (confidence_.contradictions() < kContradictions) return false;
-  if (scan.hits() == 0 || scan.view.width > kCamera) return true;
+  if (scan.hits() == 0 || scan.view.width > kMostOfView) return true;
   const RangeError::Fit fit = range_error_.at(T_map_base, scan);
   return fit.throughShare() > fit.short_share;
 }
