@@ -10,6 +10,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
 #include "localizer/hypothesis.hpp"
+#include "localizer/novelty.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "map/range_error.hpp"
 #include "ser/place.hpp"
@@ -31,8 +32,9 @@ class PlaceRefiner;
 /// is usual may be of something that the map does not have, and says little of any place, least of
 /// all of the one where the robot was known to be; if it was not, a place that fits twice as well
 /// as another is likelier. Where most of a scan fits such a place, furniture may have been moved:
-/// it loses little by little, and least where beams only end before what the map has. If it does
-/// not fit, the robot is likelier within a slip of the wheels, up to a metre or 0.9 rad, or some
+/// it loses little by little, and least where beams only end before what the map has; while the
+/// robot turns on the spot, which shows the same furniture again, hardly anything. If it does not
+/// fit, the robot is likelier within a slip of the wheels, up to a metre or 0.9 rad, or some
 /// slips, than anywhere else. Unlike the modes of a particle cloud, masses of places that look the
 /// same do not drift: only what is seen decides between them.
 ///
@@ -157,7 +159,7 @@ class Hypotheses {
 
   /// Aligns all with a scan and takes note of what it and the other senses say of them. Without a
   /// scan each is corrected by the other senses, as a Kalman filter is, and they alone are judges.
-  void weigh(const Observations& observations, double share, double usual);
+  void weigh(const Observations& observations, const News& news, double usual);
 
   /// Whether the last scan fits another place about as well as the best.
   bool looksLikeAnother(const Pose2& T_map_base) const;
@@ -205,7 +207,8 @@ class Hypotheses {
   void correctBySenses(const Observations& observations);
 
   /// Of a scan, but for what other senses say. Log odds.
-  double lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits, double usual) const;
+  double lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits, double usual,
+                const News& news) const;
 
   /// Log likelihood of each, in columns by the senses other than the laser, that of the likeliest
   /// being 0.

@@ -91,25 +91,26 @@ bool Hypotheses::keepsOne() const {
 }
 
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
-                          double usual) const {
+                          double usual, const News& news) const {
   double lost = loss(hypothesis.error, usual);
   const bool is_outdone = !fits && least_error_ < kFarBetter * hypothesis.error;
   if (!fits && (!is_outdone || keepsOne())) {
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;
-  if (!hypothesis.is_kept) return lost;
+  if (!hypothesis.is_kept) return news.share * lost;
   const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
   hypothesis.is_spared = lost > most;
   hypothesis.is_refuted = std::isinf(most) || is_outdone;
-  return std::min(lost, most);
+  if (std::isinf(most)) return news.share * lost;
+  return std::min(news.share * lost, news.sight * most);
 }
 
-void Hypotheses::weigh(const Observations& observations, double share, double usual) {
+void Hypotheses::weigh(const Observations& observations, const News& news, double usual) {
   const Scan& scan = observations.scan;
   const bool is_seen = scan.hits() > 0;
   const PlaceRefiner refiner = refinerFor(scan);
-  choose(share);
+  choose(news.share);
   is_seen ? align(refiner, usual, true) : correctBySenses(observations);
   for (const Hypothesis& other : led_to_) {
     if (all_.size() >= kMostPlaces) break;
@@ -124,7 +125,7 @@ void Hypotheses::weigh(const Observations& observations, double share, double us
     const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
     const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) {
-      const double lost = worth * lostBy(refiner, hypothesis, fits, usual);
+      const double lost = lostBy(refiner, hypothesis, fits, usual, {worth, news.sight});
       hypothesis.log_odds -= lost;
       hypothesis.refuted += hypothesis.is_refuted ? lost : 0.0;
     }

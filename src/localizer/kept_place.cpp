@@ -14,7 +14,8 @@ constexpr double kMostHits = 0.8;                                // of a scan th
 constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
 constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall
 constexpr double kMostOfRest = 0.9;                              // of those that nothing hides
-constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds
+constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds,
+constexpr double kOfView = 3.0;  // and of a view that one thing may fill
 
 }  // namespace
 
@@ -26,7 +27,7 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
   if (!fits_by_ranges &&
       refiner.hitShare(T_map_base, UsualError(usual_error).limit()) <= kMostHits) {
-    return std::numeric_limits<double>::infinity();
+    return refiner.view() > kMostOfView ? std::numeric_limits<double>::infinity() : kOfView;
   }
   const double nearly_all = fits_by_ranges ? kMostOfRest * (1.0 - fit.short_share) : kNearlyAll;
   if (is_hidden || refiner.hitShare(T_map_base, kOn) > nearly_all) return kHidden;

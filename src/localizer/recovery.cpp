@@ -78,7 +78,7 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
 void Recovery::ride(const Pose2& motion) {
   hypotheses_.ride(motion);
   doubted_.ride(motion);
-  way_ += wayOf(motion);
+  novelty_.ride(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
   if (in_doubt_) in_doubt_ = *in_doubt_ * motion;

@@ -178,7 +178,7 @@ class Recovery {
   InitialPose initial_pose_;
   TrackingOdds odds_;
   Proof proof_;
-  double way_{0.0};  // since the last scan that counted, m or rad
+  Novelty novelty_;
 
   bool has_left_{false};       // the core's place was ruled out in this race,
   double left_way_{0.0};       // so long a way ago, m

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
 constexpr std::size_t kMany = 10;                     // places to choose from
-constexpr double kNewWay = 0.3;       // m or rad, after which a scan is new evidence
 constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
 
 /// How far off is what sightings of landmarks explain.
@@ -63,12 +62,13 @@ void Recovery::openDoubted(const Observations& observations) {
   open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
   const double share = std::max(1, misfits_) / (waited_ + 1.0);
-  hypotheses_.weigh(withoutCover(asked->observations), share, usual_.value());
+  hypotheses_.weigh(withoutCover(asked->observations), {share, share}, usual_.value());
   hypotheses_.prune();
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
   hypotheses_.moveKept(T_map_now);
-  way_ = wayOf(asked->motion);
+  novelty_.count();
+  novelty_.ride(asked->motion);
 }
 
 void Recovery::settle() {
@@ -77,7 +77,7 @@ void Recovery::settle() {
   in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
-  way_ = kNewWay;  // the first scan counts in full
+  novelty_.restart();
   hypotheses_.clear();
   modes_.clear();
 }
@@ -91,11 +91,11 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   // while no place explains the scans each may be the one that tells, but searching is not free
   const bool has_places = searched_ && explained_;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
-  const double share = std::min(1.0, way_ / kNewWay);
-  hypotheses_.weigh(observations, share, usual_.value());
+  const News news = novelty_.news(observations.scan.view.width);
+  hypotheses_.weigh(observations, news, usual_.value());
   is_alike_ = is_alike_ || hypotheses_.looksLikeAnother(T_map_base);
   hypotheses_.prune();
-  way_ = 0.0;
+  novelty_.count();
   modes_ = hypotheses_.modes();
   are_many_ = are_many_ || modes_.size() >= kMany;
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
@@ -103,7 +103,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
   const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
-  const double worth = is_elsewhere ? 1.0 : kBesideWorth * share;
+  const double worth = is_elsewhere ? 1.0 : kBesideWorth * news.share;
   contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
   has_left_ = has_left_ || mustMove();
   if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();

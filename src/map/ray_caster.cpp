@@ -94,7 +94,7 @@ RayCaster::Wall RayCaster::wall(const Pose2& T_map_ray, double max_range, double
   const OccupancyGrid& grid = *grid_;
   while (travelled < end) {
     const Cell cell{column.cell, row.cell};
-    if (grid.isOccupied(cell)) {
+    if (grid.endsBeams(cell)) {
       const double at = std::min((travelled + inside) * resolution, max_range);
       if (!is_in_wall) wall = {at, at};
       if (at - wall.near > depth) return wall;

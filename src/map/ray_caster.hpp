@@ -18,11 +18,11 @@ class RayCaster {
                      std::shared_ptr<const DistanceField> field = nullptr)
       : grid_(std::move(grid)), field_(std::move(field)) {}
 
-  /// Metres from the ray's start (map frame, theta its direction) to the surface in the first
-  /// occupied cell; max_range if there is none before. Surfaces pass through the middle of cells,
-  /// since maps mark those in which beams ended: half a cell along x or y, whichever the ray runs
-  /// along, behind the side by which it enters. Unknown cells and everything outside the map are
-  /// transparent.
+  /// Metres from the ray's start (map frame, theta its direction) to the surface in the first cell
+  /// that beams end at; max_range if there is none before. Surfaces pass through the middle of
+  /// cells, since maps mark those in which beams ended: half a cell along x or y, whichever the ray
+  /// runs along, behind the side by which it enters. Unknown cells, speckle and everything
+  /// outside the map are transparent.
   double range(const Pose2& T_map_ray, double max_range) const {
     return wall(T_map_ray, max_range, 0.0).near;
   }

@@ -192,7 +192,7 @@ SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are
   result.obstacle.assign(static_cast<std::size_t>(result.lines) * pitch, 0);
   for (int y = 0; y < box.height; ++y) {
     for (int x = 0; x < box.width; ++x) {
-      if (!map.isOccupied({box.x + x, box.y + y})) continue;
+      if (!map.endsBeams({box.x + x, box.y + y})) continue;
       const auto u = static_cast<std::size_t>(lines_are_columns ? x : y);
       const auto v = static_cast<std::size_t>(lines_are_columns ? y : x);
       result.obstacle[u * pitch + 1 + v] = 1;

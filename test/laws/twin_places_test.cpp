@@ -33,7 +33,7 @@ TEST(TwinPlaces, AreJudgedAlikeWhateverOdometryGotWrong) {
         hypotheses.add(core * slip, 0.0);
         hypotheses.add(twin * slip, 0.0);
         hypotheses.note(core);
-        hypotheses.weigh(seen, 1.0, kUsual);
+        hypotheses.weigh(seen, News{}, kUsual);
         EXPECT_NEAR(massNear(hypotheses, core), 0.5, 0.01) << x << ", " << y << ", " << turn;
         EXPECT_NEAR(massNear(hypotheses, twin), 0.5, 0.01) << x << ", " << y << ", " << turn;
       }

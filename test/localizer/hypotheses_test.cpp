@@ -44,7 +44,7 @@ TEST(Hypotheses, APlaceThatDoesNotFitIsRuledOut) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kWrong, 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   hypotheses.prune();
   EXPECT_FALSE(hypotheses.knows(kWrong));
   ASSERT_EQ(hypotheses.modes().size(), 1U);
@@ -66,7 +66,7 @@ TEST(Hypotheses, ACompassDecidesBetweenPlacesThatLookTheSame) {
   hypotheses.add(truth, 0.0);
   Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
   seen.heading = Heading{0.1, 0.1};
-  for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, News{}, kUsual);
   hypotheses.prune();
   ASSERT_EQ(hypotheses.modes().size(), 1U);
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02));
@@ -82,7 +82,7 @@ TEST(Hypotheses, ACompassAloneDoesNotRuleOutWhereTheRobotWasKnownToBe) {
   hypotheses.add(twin, 0.0);
   Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
   seen.heading = Heading{kPi, 0.1};
-  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, News{}, kUsual);
   hypotheses.prune();
   EXPECT_GT(massOf(hypotheses, truth), 0.99);
 }
@@ -102,7 +102,7 @@ TEST(Hypotheses, LandmarksThatWereMovedDoNotRuleOutWhereTheLaserKnowsTheRobot) {
   hypotheses.add(twin, 0.0);
   Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(map, truth);
   seen.landmarks = {{0, 1.0, 0.0, 0.1, 0.05}};
-  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 100; ++i) hypotheses.weigh(seen, News{}, kUsual);
   hypotheses.prune();
   EXPECT_GT(massOf(hypotheses, truth), 0.99);
 }
@@ -113,7 +113,7 @@ TEST(Hypotheses, WhereMuchIsUsualLittleIsSaid) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.add(kTruth, 0.0);
     hypotheses.add(kWrong, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 1.0, usual);
+    hypotheses.weigh(seenAt(kTruth), News{}, usual);
     EXPECT_LE(massOf(hypotheses, kTruth), before);
     before = massOf(hypotheses, kTruth);
   }
@@ -126,7 +126,7 @@ TEST(Hypotheses, WhereErrorsAreTheMapsManyScansSayNoMoreThanOne) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.add(kTruth, 0.0);
     hypotheses.add(kWrong, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 0.2, usual);
+    hypotheses.weigh(seenAt(kTruth), News{0.2, 0.2}, usual);
     const double mass = massOf(hypotheses, kTruth);
     return std::log(mass / (1.0 - mass));
   };
@@ -159,7 +159,7 @@ TEST(Hypotheses, WhereWallsAreRoughLittleIsSaid) {
     Hypotheses hypotheses(ground);
     hypotheses.add(kTruth, 0.0);
     hypotheses.add(other, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 1.0, 0.1);
+    hypotheses.weigh(seenAt(kTruth), News{}, 0.1);
     return hypotheses.modes().back().mass;
   };
   int spared = 0;
@@ -179,7 +179,7 @@ TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kWrong, 0.0);
   const Observations seen = occludedAt(kTruth, 60);
-  hypotheses.weigh(seen, 1.0, kUsual);
+  hypotheses.weigh(seen, News{}, kUsual);
   EXPECT_GT(hypotheses.leastError(), 0.2);
   EXPECT_GT(massOf(hypotheses, kWrong), std::exp(-1.0) / (1.0 + std::exp(-1.0)) - 1e-9);
 }
@@ -189,7 +189,7 @@ TEST(Hypotheses, AScanThatFitsNowhereSaysLeastOfAKeptPlace) {
   hypotheses.addKept(kWrong, TrackingOdds(true));
   hypotheses.add(kTruth, 0.0);
   const Observations seen = occludedAt(kTruth, 60);
-  for (int i = 0; i < 20; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 20; ++i) hypotheses.weigh(seen, News{}, kUsual);
   EXPECT_GT(massOf(hypotheses, kWrong), 0.99);
 }
 
@@ -202,7 +202,7 @@ TEST(Hypotheses, AScanThatFitsNowhereButFarBetterInOnePlaceTells) {
     hypotheses.addKept(kWrong, TrackingOdds(is_kept));
     hypotheses.add(kTruth, 0.0);
     const Observations seen = occludedAt(kTruth, 25);
-    for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+    for (int i = 0; i < 4; ++i) hypotheses.weigh(seen, News{}, kUsual);
     EXPECT_GT(hypotheses.leastError(), 0.1);
     const double odds = std::log(massOf(hypotheses, kWrong) / massOf(hypotheses, kTruth));
     if (is_kept) {
@@ -221,7 +221,7 @@ TEST(Hypotheses, OddsEarnedBeforeCount) {
   hypotheses.add(here, 3.0);
   hypotheses.add(twin, 0.0);
   const auto seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), twin);
-  for (int i = 0; i < 5; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 5; ++i) hypotheses.weigh(seen, News{}, kUsual);
   EXPECT_NEAR(std::log(massOf(hypotheses, here) / massOf(hypotheses, twin)), 3.0, 0.01);
 }
 
@@ -237,9 +237,9 @@ TEST(Hypotheses, AScanThatIsNotNewSaysNothingMore) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.add(kTruth * Pose2{0.8, 0.0, 0.0}, 2.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, 0.3);
+  hypotheses.weigh(seenAt(kTruth), News{}, 0.3);
   const double mass = massOf(hypotheses, kTruth);
-  for (int i = 0; i < 20; ++i) hypotheses.weigh(seenAt(kTruth), 0.0, 0.3);
+  for (int i = 0; i < 20; ++i) hypotheses.weigh(seenAt(kTruth), News{0.0, 0.0}, 0.3);
   EXPECT_DOUBLE_EQ(massOf(hypotheses, kTruth), mass);
 }
 
@@ -248,7 +248,7 @@ std::vector<double> saidOf(const std::vector<Pose2>& places, int scans, double l
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, lead);
   for (const Pose2& place : places) hypotheses.add(place, 0.0);
-  for (int i = 0; i < scans; ++i) hypotheses.weigh(seenAt(kTruth), 0.2, 0.3);
+  for (int i = 0; i < scans; ++i) hypotheses.weigh(seenAt(kTruth), News{0.2, 0.2}, 0.3);
   const std::vector<Mode> modes = hypotheses.modes();
   std::vector<double> said;
   for (const Mode& mode : modes) said.push_back(std::log(mode.mass / modes.front().mass) + lead);
@@ -283,7 +283,7 @@ TEST(Hypotheses, AllAreJudgedWhereNoneIsFarLikelierThanTheOthers) {
 TEST(Hypotheses, HoldACoreThatDriftedOffAsLongAsScansFitWhereItIs) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   const Pose2 drifted = kTruth * Pose2{0.8, 0.0, 0.0}, away = kTruth * Pose2{1.6, 0.0, 0.0};
   EXPECT_TRUE(hypotheses.hold(kTruth, 0.5, kUsual));  // that is for the odds to tell
   EXPECT_TRUE(hypotheses.hold(drifted, 0.03, kUsual));
@@ -296,7 +296,7 @@ TEST(Hypotheses, HoldACoreThatDriftedOffAsLongAsScansFitWhereItIs) {
 TEST(Hypotheses, HoldACoreThatDriftedOffWhereTheirPlaceFitsHardlyBetter) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
-  hypotheses.weigh(seenAt(kTruth * Pose2{1.2, 0.0, 0.0}), 0.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth * Pose2{1.2, 0.0, 0.0}), News{0.0, 0.0}, kUsual);
   const double error = hypotheses.leastError();
   ASSERT_GT(error, 0.05);
   const Pose2 drifted = hypotheses.modes().front().T_map_base * Pose2{0.8, 0.0, 0.0};
@@ -319,7 +319,7 @@ TEST(Hypotheses, APlaceThatDriftedOffIsAlignedFromWhereASearchFoundIt) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.add(drifted, 0.0);
     if (is_found) hypotheses.addFound({{kTruth, 0.01}, {drifted, 0.2}}, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
     ASSERT_EQ(hypotheses.modes().size(), 1U);
     const Pose2 aligned = hypotheses.modes().front().T_map_base;
     EXPECT_EQ(distance(aligned, kTruth) < 0.05, is_found);
@@ -334,7 +334,7 @@ TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   hypotheses.addKept(ridden, TrackingOdds(true));
   hypotheses.addFound({{kTruth, 0.01}, {ridden, 0.2}}, 0.0);
   hypotheses.note(core);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   const std::vector<Mode> modes = hypotheses.modes();
   ASSERT_EQ(modes.size(), 2U);
   EXPECT_LT(distance(modes[0].T_map_base, core), 0.5);
@@ -347,7 +347,7 @@ TEST(Hypotheses, AnAlignmentThatTurnsBackFromTheCoreIsOfTheSamePlace) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(ridden, TrackingOdds(true));
   hypotheses.note(core);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   ASSERT_EQ(hypotheses.modes().size(), 1U);
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
 }
@@ -363,10 +363,10 @@ TEST(Hypotheses, WhatASearchAlignedIsTakenAsItIsOnce) {
   const Pose2 found = kTruth * Pose2{0.03, 0.0, 0.0};
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addAligned({{found, 0.015}}, 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(found, 1e-12, 1e-12));
   EXPECT_EQ(hypotheses.leastError(), 0.015);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.02, 0.01));
 }
 
@@ -400,19 +400,19 @@ TEST(Hypotheses, ManyNewPlacesAreJudgedInTurnsAndNoneIsAModeBefore) {
   std::vector<Place> places = placesOfGrid(99);
   places.push_back({kTruth, 0.0});
   hypotheses.addFound(places, 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_TRUE(hypotheses.waitForSome());
   EXPECT_EQ(hypotheses.modes().size(), 40U);
   EXPECT_EQ(massOf(hypotheses, kTruth), 0.0) << "the last one";
   int scans = 1;
   for (; hypotheses.waitForSome() && scans < 10; ++scans) {
     hypotheses.prune();
-    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   }
   EXPECT_EQ(scans, 3);
   for (; scans < 12; ++scans) {
     hypotheses.prune();
-    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   }
   hypotheses.prune();
   ASSERT_EQ(hypotheses.modes().size(), 1U);
@@ -445,7 +445,7 @@ std::pair<double, double> lostByOneScan(double share) {
   const auto odds = [&](const Pose2& pose) {
     return std::log(massOf(hypotheses, pose) / massOf(hypotheses, kTruth));
   };
-  hypotheses.weigh(seenAt(kTruth), share, 0.15);
+  hypotheses.weigh(seenAt(kTruth), News{share, share}, 0.15);
   return {TrackingOdds(true).value() - odds(kWrong * Pose2{1.5, 0.0, 0.0}), 20.0 - odds(other)};
 }
 
@@ -461,7 +461,7 @@ TEST(Hypotheses, AScanCountsInFullForNewPlacesAndByItsShareForTheKeptOne) {
 TEST(Hypotheses, WhatASearchAlignedIsJudgedAtOnce) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addAligned(placesOfGrid(100), 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_FALSE(hypotheses.waitForSome());
 }
 
@@ -499,7 +499,7 @@ TEST(Hypotheses, AKeptPlaceWhereSomethingWasMovedLosesLittleByLittle) {
   other.add(kBeforeTheCupboard, 12.0);
   other.add(kTwin, 0.0);
   for (Hypotheses* hypotheses : {&kept, &other}) {
-    for (int i = 0; i < 3; ++i) hypotheses->weigh(seenWithoutIt(), 1.0, kUsual);
+    for (int i = 0; i < 3; ++i) hypotheses->weigh(seenWithoutIt(), News{}, kUsual);
     hypotheses->prune();
   }
   EXPECT_GT(massOf(kept, kBeforeTheCupboard), 0.99);
@@ -511,7 +511,7 @@ TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutAtOnce) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(kWrong, tracked(3.0));
   hypotheses.add(kTruth, 0.0);
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   hypotheses.prune();
   EXPECT_FALSE(hypotheses.knows(kWrong));
 }
@@ -525,7 +525,7 @@ TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
     other.add(kTruth * slip, 12.0);
     for (Hypotheses* hypotheses : {&kept, &other}) {
       hypotheses->add(kWrong, 7.0);
-      hypotheses->weigh(seenAt(kTruth), 1.0, kUsual);
+      hypotheses->weigh(seenAt(kTruth), News{}, kUsual);
       hypotheses->prune();
     }
     const auto near_truth = PoseNear(kTruth, 0.05, 0.02);
@@ -541,7 +541,7 @@ TEST(Hypotheses, AlongAWallAKeptPlaceIsNotLostAndACoreThatSeesTheSlipIsHeld) {
   hypotheses.addKept(kTruth * Pose2{0.8, 0.0, 0.0}, tracked(1.0));  // 12 nats
   hypotheses.add(kWrong, 7.0);
   for (int scan = 0; scan < 10; ++scan) {
-    hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
     hypotheses.prune();
     EXPECT_TRUE(hypotheses.hold(kTruth, 0.01, kUsual)) << scan;
   }
@@ -559,7 +559,7 @@ TEST(Hypotheses, APlaceThatIsASlipAwayFromAKeptOneIsAsLikelyWhoeverFoundIt) {
     hypotheses.addKept(truth * Pose2{0.0, 0.0, turn}, tracked(1.0));  // 12 nats
     hypotheses.add(truth, 0.0);
     hypotheses.add(twin, 0.0);
-    hypotheses.weigh(seen, 1.0, kUsual);
+    hypotheses.weigh(seen, News{}, kUsual);
     hypotheses.prune();
     ASSERT_EQ(hypotheses.modes().size(), 2U) << "no scan told them apart: " << turn;
     EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02)) << turn;
@@ -576,14 +576,14 @@ TEST(Hypotheses, WheelsThatSlippedMaySlipAgain) {
   for (int slips = 1; slips <= 2; ++slips) {
     truth = truth * Pose2{0.0, 0.0, 0.1};
     hypotheses.ride({0.0, 0.0, 0.6});
-    hypotheses.weigh(seenAt(truth), 1.0, kUsual);
+    hypotheses.weigh(seenAt(truth), News{}, kUsual);
     hypotheses.prune();
     EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(truth, 0.05, 0.02)) << slips;
   }
   truth = truth * Pose2{0.0, 0.0, -0.2};
   hypotheses.ride({0.0, 0.0, -0.2});
   hypotheses.add(kWrong, 0.0);
-  hypotheses.weigh(seenAt(truth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(truth), News{}, kUsual);
   EXPECT_GT(massOf(hypotheses, truth), 0.99);
 }
 
@@ -593,9 +593,9 @@ TEST(Hypotheses, WhereWheelsCanHaveSlippedToIsNotRuledOutByWhatFitsFarWorse) {
   for (const bool is_known : {true, false}) {
     Hypotheses hypotheses(asymmetricWorld());
     is_known ? hypotheses.addKept(kept, tracked(1.0)) : hypotheses.add(kept, 12.0);
-    hypotheses.weigh(seenAt(kept), 1.0, kUsual);
+    hypotheses.weigh(seenAt(kept), News{}, kUsual);
     hypotheses.addCore(core, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 0.01, kUsual);
+    hypotheses.weigh(seenAt(kTruth), News{0.01, 0.01}, kUsual);
     hypotheses.prune();
     EXPECT_EQ(hypotheses.knows(kTruth), is_known);
   }
@@ -627,7 +627,7 @@ TEST(Hypotheses, ASlipIsLookedForWhereFewBeamsHit) {
   ASSERT_LT(seen.scan.hits(), 30);
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(truth * Pose2{0.0, 0.0, 0.9}, tracked(1.0));
-  hypotheses.weigh(seen, 1.0, kUsual);
+  hypotheses.weigh(seen, News{}, kUsual);
   const std::vector<Mode> modes = hypotheses.modes();
   const bool is_found = std::any_of(modes.begin(), modes.end(), [&](const Mode& mode) {
     return std::abs(wrapAngle(mode.T_map_base.theta - truth.theta)) < 0.1;
@@ -642,7 +642,7 @@ TEST(Hypotheses, WordRulesOutNoTwinButTrackingDoes) {
     Hypotheses hypotheses(symmetricWorld());
     hypotheses.addKept(kBeforeTheCupboard, is_word ? TrackingOdds(true) : tracked(0.0));
     hypotheses.add(kTwin, 0.0);
-    hypotheses.weigh(seen, 1.0, kUsual);
+    hypotheses.weigh(seen, News{}, kUsual);
     hypotheses.prune();
     EXPECT_EQ(hypotheses.knows(kTwin), is_word);
     EXPECT_EQ(hypotheses.isByWord(), is_word);
@@ -656,8 +656,26 @@ TEST(Hypotheses, APlaceThatComesLateHasNoAdvantage) {
   hypotheses.addKept(kBeforeTheCupboard, odds);
   EXPECT_DOUBLE_EQ(hypotheses.entry(3.0, odds), 0.0);
   hypotheses.add(kTwin, 0.0);
-  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), 1.0, kUsual);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), News{}, kUsual);
   EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.6, 1e-9);  // what the kept one has lost
+}
+
+/// Turning on the spot shows the same furniture again and again.
+TEST(Hypotheses, AKeptPlaceLosesOnlyByWhatIsSeenAnew) {
+  Hypotheses hypotheses(roomWithCupboard());
+  hypotheses.addKept(kBeforeTheCupboard, tracked(1.0));
+  hypotheses.add(kTwin, 0.0);
+  for (int i = 0; i < 10; ++i) hypotheses.weigh(seenWithoutIt(), News{0.5, 0.05}, kUsual);
+  EXPECT_NEAR(hypotheses.entry(3.0, tracked(1.0)), -0.1, 1e-9);
+}
+
+/// Whether something is there that should not be does not matter where the robot is elsewhere.
+TEST(Hypotheses, AKeptPlaceThatIsRefutedIsLostOnTheSpot) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(kWrong, tracked(1.0));
+  hypotheses.add(kTruth, 0.0);
+  hypotheses.weigh(seenAt(kTruth), News{1.0, 0.0}, kUsual);
+  EXPECT_LT(massOf(hypotheses, kWrong), 0.01);
 }
 
 /// A robot that drove on while it was lost: its place has less left to lose.
@@ -666,7 +684,7 @@ TEST(Hypotheses, WhatAKeptPlaceHasLostCountsAsLongAsItsOddsAreLeft) {
   TrackingOdds odds = tracked(1.0);  // 12 nats
   hypotheses.addKept(kBeforeTheCupboard, odds);
   hypotheses.add(kTwin, 0.0);
-  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), 1.0, kUsual);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seenWithoutIt(), News{}, kUsual);
   EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.6, 1e-9);
   odds.loseWay(Pose2{0.2, 0.0, 0.0});
   EXPECT_NEAR(hypotheses.entry(3.0, odds), -0.4, 1e-9);
@@ -681,7 +699,7 @@ TEST(Hypotheses, AKeptPlaceWhereSomethingWasBroughtLosesLeast) {
   Hypotheses hypotheses(roomWithCupboard());
   hypotheses.addKept(kTwin, tracked(1.0));
   hypotheses.add(kBeforeTheCupboard, 0.0);
-  for (int i = 0; i < 3; ++i) hypotheses.weigh(seen, 1.0, kUsual);
+  for (int i = 0; i < 3; ++i) hypotheses.weigh(seen, News{}, kUsual);
   EXPECT_NEAR(hypotheses.entry(3.0, tracked(1.0)), -0.6, 1e-9);  // what the kept one has lost
   hypotheses.prune();
   EXPECT_GT(massOf(hypotheses, kTwin), 0.99);
@@ -692,10 +710,10 @@ TEST(Hypotheses, TellsThatACoreIsBesideItsPlace) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
   hypotheses.note(kTruth * Pose2{0.05, 0.0, 0.01});
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_FALSE(hypotheses.isCoreBeside());
   hypotheses.note(kTruth * Pose2{0.25, 0.15, 0.2});
-  hypotheses.weigh(seenAt(kTruth), 1.0, kUsual);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
   EXPECT_TRUE(hypotheses.isCoreBeside());
   EXPECT_THAT(hypotheses.modes().front().T_map_base, PoseNear(kTruth, 0.05, 0.02));
 }
@@ -707,7 +725,7 @@ TEST(Hypotheses, ACoreIsOutdoneByAPlaceThatIsLikelierAndFitsFarBetter) {
     Hypotheses hypotheses(asymmetricWorld());
     hypotheses.add(kTruth, ahead);
     hypotheses.add(beside, 0.0);
-    hypotheses.weigh(seenAt(kTruth), 0.0, 0.5);  // much is usual, so little is said
+    hypotheses.weigh(seenAt(kTruth), News{0.0, 0.0}, 0.5);  // much is usual, so little is said
     EXPECT_FALSE(hypotheses.isOutdone(kTruth));
     EXPECT_EQ(hypotheses.isOutdone(beside), ahead > 6.0);
     EXPECT_FALSE(hypotheses.isOutdone({7.5, 4.1, 2.0})) << "no place of these";
@@ -717,7 +735,8 @@ TEST(Hypotheses, ACoreIsOutdoneByAPlaceThatIsLikelierAndFitsFarBetter) {
   const Pose2 twin{6.0 - place.x, 3.0 - place.y, wrapAngle(place.theta + kPi)};
   twins.add(place, 20.0);
   twins.add(twin, 0.0);
-  twins.weigh(ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), place), 0.0, kUsual);
+  twins.weigh(ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), place),
+              News{0.0, 0.0}, kUsual);
   EXPECT_FALSE(twins.isOutdone(twin));
 }
 
@@ -728,7 +747,7 @@ TEST(Hypotheses, TellWhetherAnotherPlaceLooksTheSame) {
     Hypotheses hypotheses(symmetricWorld());
     hypotheses.add(truth, 0.0);
     hypotheses.add(other, 0.0);
-    hypotheses.weigh(seen, 1.0, kUsual);
+    hypotheses.weigh(seen, News{}, kUsual);
     EXPECT_EQ(hypotheses.looksLikeAnother(truth), areSamePlace(other, twin));
   }
 }

@@ -99,6 +99,31 @@ TEST(KeptPlace, LosesLittleIfWhatWasBroughtHidesNearlyHalfAndIsLostIfItHidesMore
   EXPECT_TRUE(std::isinf(against(kBare, with_walls_around, false, wide)));
 }
 
+/// As many of its beams go on as end early: not one thing that was brought, but a view that one
+/// place of furniture may fill.
+TEST(KeptPlace, IsNotRefutedByOneViewOfACamera) {
+  const Art with_shelves{"################",  //
+                         "#..............#",  //
+                         "#.......#......#",  //
+                         "#.......#......#",  //
+                         "#..............#",  //
+                         "#..............#",  //
+                         "#..............#",  //
+                         "################"};
+  const Art with_desk{"################",  //
+                      "#..............#",  //
+                      "#..............#",  //
+                      "#..............#",  //
+                      "#....##........#",  //
+                      "#....##........#",  //
+                      "#....##........#",  //
+                      "################"};
+  const ToyLaser camera{81, -0.5, 0.5, 12.0}, wide{181, -0.8, 0.8, 12.0};
+  EXPECT_DOUBLE_EQ(against(with_shelves, with_desk, false, camera), 3.0);
+  EXPECT_DOUBLE_EQ(against(with_shelves, with_desk, true, camera), 3.0);
+  EXPECT_TRUE(std::isinf(against(with_shelves, with_desk, false, wide)));
+}
+
 TEST(KeptPlace, LosesLittleByWhatWasTakenAway) {
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare), 0.2);
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare, true), 0.2);

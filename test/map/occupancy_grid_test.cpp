@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/core/rng.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -31,6 +32,62 @@ TEST(OccupancyGrid, IsUnknownOutside) {
     EXPECT_FALSE(grid.isOccupied(cell));
     EXPECT_FALSE(grid.isFree(cell));
   }
+}
+
+/// A room of 10 m by 5 m, at a resolution of 0.05 m, with things of some cells' width here and
+/// there.
+OccupancyGrid strewn(int things, int width, double resolution = 0.05) {
+  const Lattice lattice(200, 100, resolution, {});
+  std::vector<std::int8_t> cells(lattice.size(), 0);
+  for (int x = 0; x < 200; ++x) {
+    cells[lattice.index({x, 0})] = cells[lattice.index({x, 99})] = OccupancyGrid::kOccupied;
+  }
+  Rng rng(1);
+  for (int i = 0; i < things; ++i) {
+    const Cell cell{5 + static_cast<int>(rng.below(185)), 5 + static_cast<int>(rng.below(85))};
+    for (int dx = 0; dx < width; ++dx) {
+      cells[lattice.index({cell.x + dx, cell.y})] = OccupancyGrid::kOccupied;
+    }
+  }
+  return OccupancyGrid(lattice, cells);
+}
+
+TEST(OccupancyGrid, HasSpeckleWhereManyCellsAreIsolatedAndFewInPairs) {
+  EXPECT_TRUE(strewn(100, 1).hasSpeckle());
+  EXPECT_FALSE(strewn(100, 2).hasSpeckle()) << "pairs: legs of chairs, say";
+  EXPECT_FALSE(strewn(5, 1).hasSpeckle()) << "posts";
+  EXPECT_FALSE(strewn(100, 1, 0.2).hasSpeckle()) << "columns";
+  EXPECT_FALSE(strewn(0, 1).hasSpeckle());
+}
+
+TEST(OccupancyGrid, SpeckleMayComeAndGoWithAnUpdate) {
+  const OccupancyGrid speckled = strewn(100, 1), clean = strewn(0, 1);
+  const auto patch = [](const OccupancyGrid& grid) {
+    return MapPatch{{0, 0}, 200, 100, grid.cells()};
+  };
+  EXPECT_TRUE(clean.with({patch(speckled)}).hasSpeckle());
+  EXPECT_FALSE(speckled.with({patch(clean)}).hasSpeckle());
+}
+
+TEST(OccupancyGrid, BeamsDoNotEndAtSpeckleButAtPosts) {
+  const OccupancyGrid speckled = strewn(100, 1), with_posts = strewn(5, 1);
+  std::size_t isolated = 0;
+  for (std::size_t i = 0; i < speckled.lattice().size(); ++i) {
+    const Cell cell = speckled.lattice().cell(i);
+    isolated += speckled.isOccupied(cell) && !speckled.endsBeams(cell) ? 1 : 0;
+    EXPECT_EQ(with_posts.endsBeams(cell), with_posts.isOccupied(cell));
+  }
+  EXPECT_GT(isolated, 80U);
+  EXPECT_LE(isolated, 100U);
+  EXPECT_TRUE(speckled.endsBeams({50, 0})) << "a wall";
+}
+
+TEST(OccupancyGrid, BeamsDoNotEndAtFreeCellsNorOutside) {
+  const OccupancyGrid grid(Lattice(3, 1, 0.05, {}), {0, 100, 100});
+  EXPECT_FALSE(grid.endsBeams({0, 0}));
+  EXPECT_TRUE(grid.endsBeams({1, 0}));
+  EXPECT_TRUE(grid.endsBeams({2, 0}));
+  EXPECT_FALSE(grid.endsBeams({3, 0}));
 }
 
 TEST(OccupancyGrid, RefusesAWrongNumberOfCells) {

@@ -38,10 +38,21 @@ double bruteForce(const OccupancyGrid& grid, const Pose2& ray, double max_range,
   double nearest = max_range;
   for (std::size_t i = 0; i < grid.lattice().size(); ++i) {
     const Cell cell = grid.lattice().cell(i);
-    if (!grid.isOccupied(cell)) continue;
+    if (!grid.endsBeams(cell)) continue;
     nearest = std::min(nearest, entry(grid.lattice(), cell, ray, graze) + inside);
   }
   return nearest;
+}
+
+TEST(RayCaster, GoesOnThroughSpeckle) {
+  std::vector<std::int8_t> cells(80, 0);
+  for (std::size_t i = 5; i < 70; i += 5) cells[i] = OccupancyGrid::kOccupied;
+  for (std::size_t i = 75; i < 78; ++i) cells[i] = OccupancyGrid::kOccupied;
+  const auto grid = std::make_shared<const OccupancyGrid>(Lattice(80, 1, 0.05, {}), cells);
+  ASSERT_TRUE(grid->hasSpeckle());
+  const auto field = std::make_shared<const DistanceField>(*grid);
+  EXPECT_NEAR(RayCaster(grid).range({0.025, 0.025, 0.0}, 5.0), 75 * 0.05, 1e-9);
+  EXPECT_NEAR(RayCaster(grid, field).range({0.025, 0.025, 0.0}, 5.0), 75 * 0.05, 1e-9);
 }
 
 TEST(RayCaster, FindsTheFirstCellThatTheRayEnters) {

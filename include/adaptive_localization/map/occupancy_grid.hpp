@@ -39,9 +39,25 @@ class OccupancyGrid {
 
   bool isOccupied(const Cell& cell) const { return at(cell) >= kLeastOccupied; }
   bool isFree(const Cell& cell) const { return at(cell) >= 0 && at(cell) < 20; }
+
+  /// Whether beams end at a cell: at occupied ones, but not at the isolated ones of a map with
+  /// speckle.
+  bool endsBeams(const Cell& cell) const {
+    return isOccupied(cell) && !(has_speckle_ && occupiedAround(cell) == 1);
+  }
+
+  /// Whether occupied cells are strewn over the map that stand for nothing: many are isolated, and
+  /// hardly any come in pairs, as noise does. What a robot mapped that is gone, people and legs of
+  /// chairs, comes in clusters.
+  bool hasSpeckle() const { return has_speckle_; }
+
   std::size_t countFree() const;
 
  private:
+  /// Occupied cells within two cells, itself too; 3 stands for more.
+  int occupiedAround(const Cell& cell) const;
+  bool looksSpeckled() const;
+
   /// Cells outside are unknown.
   std::int8_t at(const Cell& cell) const {
     return lattice_.contains(cell) ? cells_[lattice_.index(cell)] : kUnknown;
@@ -49,6 +65,7 @@ class OccupancyGrid {
 
   Lattice lattice_;
   std::vector<std::int8_t> cells_;
+  bool has_speckle_;
 };
 
 /// Throws std::invalid_argument unless a patch has as many cells as its size says, at least one,
