@@ -9,13 +9,14 @@ namespace adaptive_localization {
 constexpr double kMostOfView = kPi / 2.0;
 
 /// What a scan may say at most, in log odds, against a place where the robot was told or known to
-/// be; no bound where most of the scan does not fit there. Where most of it fits, by ranges or by
-/// where hits are, something there has rather changed than is it another place. Least of all is
-/// said by beams that end before what the map has, if hardly any go on where it has a wall: people,
-/// things that were brought, and walls that are missing on the map do that, to half of a scan or to
-/// 90 degrees, which may be all that a camera sees. So little do beams that go on say if nearly all
-/// that do not end before the map's walls end at some: then something was taken away. From another
-/// place, beams go on through walls here and there.
+/// be. Where most of the scan does not fit there it has no bound, unless one thing may fill the
+/// whole view. Where most of it fits, by ranges or by where hits are, something there has rather
+/// changed than is it another place. Least of all is said by beams that end before what the map
+/// has, if hardly any go on where it has a wall: people, things that were brought, and walls that
+/// are missing on the map do that, to half of a scan or to 90 degrees, which may be all that a
+/// camera sees. So little do beams that go on say if nearly all that do not end before the map's
+/// walls end at some: then something was taken away. From another place, beams go on through walls
+/// here and there.
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error);
 

@@ -99,8 +99,7 @@ TEST(KeptPlace, LosesLittleIfWhatWasBroughtHidesNearlyHalfAndIsLostIfItHidesMore
   EXPECT_TRUE(std::isinf(against(kBare, with_walls_around, false, wide)));
 }
 
-/// As many of its beams go on as end early: not one thing that was brought, but a view that one
-/// place of furniture may fill.
+/// Shelves were taken away and a desk was brought: beams go on, and others end early.
 TEST(KeptPlace, IsNotRefutedByOneViewOfACamera) {
   const Art with_shelves{"################",  //
                          "#..............#",  //
