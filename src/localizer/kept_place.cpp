@@ -25,12 +25,14 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const bool is_hidden = fit.throughShare() < std::max(kThrough, kOfShort * fit.short_share);
   const double most_hidden = std::max(kMostHidden, kMostOfView / refiner.view());
   const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
-  if (!fits_by_ranges &&
-      refiner.hitShare(T_map_base, UsualError(usual_error).limit()) <= kMostHits) {
+  const double limit = UsualError(usual_error).limit();
+  if (!fits_by_ranges && refiner.hitShare(T_map_base, limit) <= kMostHits) {
     return refiner.view() > kMostOfView ? std::numeric_limits<double>::infinity() : kOfView;
   }
   const double nearly_all = fits_by_ranges ? kMostOfRest * (1.0 - fit.short_share) : kNearlyAll;
-  if (is_hidden || refiner.hitShare(T_map_base, kOn) > nearly_all) return kHidden;
+  const double on = refiner.hitShare(T_map_base, std::max(kOn, limit));
+  const double stray = 1.0 / std::max(1, refiner.hits());
+  if (is_hidden || on + stray > nearly_all) return kHidden;
   return is_word ? kInitial : kTracked;
 }
 

@@ -43,6 +43,8 @@ class PlaceRefiner {
     return place.error * beams / std::max(1, scan_.hits());
   }
 
+  int hits() const { return scan_.hits(); }
+
   /// Of the scan, from its first beam to its last, rad.
   double view() const { return scan_.view.width; }
 
