@@ -10,9 +10,8 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kMostOff = 0.4, kMostHidden = 0.5;              // of the beams
-constexpr double kMostHits = 0.8;                                // of a scan that fits
+constexpr double kMostHits = 0.8, kNearlyAll = 0.95;             // of the hits
 constexpr double kThrough = 0.05, kOfShort = 0.4;                // of the beams; of those too short
-constexpr double kNearlyAll = 0.95, kOn = 0.1;                   // of the hits; m, from a wall
 constexpr double kMostOfRest = 0.9;                              // of those that nothing hides
 constexpr double kHidden = 0.2, kInitial = 2.0, kTracked = 1.5;  // log odds,
 constexpr double kOfView = 3.0;  // and of a view that one thing may fill
@@ -25,12 +24,11 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const bool is_hidden = fit.throughShare() < std::max(kThrough, kOfShort * fit.short_share);
   const double most_hidden = std::max(kMostHidden, kMostOfView / refiner.view());
   const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
-  const double limit = UsualError(usual_error).limit();
-  if (!fits_by_ranges && refiner.hitShare(T_map_base, limit) <= kMostHits) {
+  const double on = refiner.hitShare(T_map_base, UsualError(usual_error).limit());
+  if (!fits_by_ranges && on <= kMostHits) {
     return refiner.view() > kMostOfView ? std::numeric_limits<double>::infinity() : kOfView;
   }
   const double nearly_all = fits_by_ranges ? kMostOfRest * (1.0 - fit.short_share) : kNearlyAll;
-  const double on = refiner.hitShare(T_map_base, std::max(kOn, limit));
   const double stray = 1.0 / std::max(1, refiner.hits());
   if (is_hidden || on + stray > nearly_all) return kHidden;
   return is_word ? kInitial : kTracked;

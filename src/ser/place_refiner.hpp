@@ -43,6 +43,7 @@ class PlaceRefiner {
     return place.error * beams / std::max(1, scan_.hits());
   }
 
+  /// Of the scan.
   int hits() const { return scan_.hits(); }
 
   /// Of the scan, from its first beam to its last, rad.
