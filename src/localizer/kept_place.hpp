@@ -15,8 +15,8 @@ constexpr double kMostOfView = kPi / 2.0;
 /// has, if hardly any go on where it has a wall: people, things that were brought, and walls that
 /// are missing on the map do that, to half of a scan or to 90 degrees, which may be all that a
 /// camera sees. So little do beams that go on say if nearly all that do not end before the map's
-/// walls, all but one where there are few, end at some, or as near to one as is usual on this map:
-/// then something was taken away. From another place, beams go on through walls here and there.
+/// walls, or all but one where they are few, end at some, as near as is usual on this map: then
+/// something was taken away. From another place, beams go on through walls here and there.
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error);
 

@@ -128,23 +128,23 @@ TEST(KeptPlace, LosesLittleByWhatWasTakenAway) {
   EXPECT_DOUBLE_EQ(against(kWithBox, kBare, true), 0.2);
 }
 
-/// Of few hits one more than a tenth may be of anything, and on a poor map hits are as far from
-/// walls as is usual.
+/// A tenth of the hits may be stray, and one more; on a poor map they count as on walls though they
+/// are as far off as is usual there.
 TEST(KeptPlace, LosesLittleByWhatWasTakenAwayThoughOneOfFewHitsIsStray) {
   const auto map = world(kWithBox);
   const auto field = std::make_shared<const DistanceField>(*map);
-  const auto against = [&](int stray, float off, double usual) {
+  const auto mostBy = [&](int stray, float off, double usual) {
     Scan scan = ToyLaser{19, -kPi / 2, kPi / 2, 12.0}.observe(world(kBare), kPlace).scan;
     for (int i = 0; i < stray; ++i) scan.x[8 + i] -= 0.6F;
     scan.y.tail(4) -= off;  // of the wall on the left
     const PlaceRefiner refiner(map, field, scan, scan.max_range, RangeError::kTruncation);
     return mostAgainst(refiner, kPlace, false, usual);
   };
-  EXPECT_DOUBLE_EQ(against(0, 0.0F, 0.05), 0.2);
-  EXPECT_DOUBLE_EQ(against(2, 0.0F, 0.05), 0.2);
-  EXPECT_DOUBLE_EQ(against(3, 0.0F, 0.05), 1.5);
-  EXPECT_DOUBLE_EQ(against(0, 0.15F, 0.1), 0.2);
-  EXPECT_DOUBLE_EQ(against(0, 0.15F, 0.05), 1.5);
+  EXPECT_DOUBLE_EQ(mostBy(0, 0.0F, 0.05), 0.2);
+  EXPECT_DOUBLE_EQ(mostBy(2, 0.0F, 0.05), 0.2);
+  EXPECT_DOUBLE_EQ(mostBy(3, 0.0F, 0.05), 1.5);
+  EXPECT_DOUBLE_EQ(mostBy(0, 0.15F, 0.1), 0.2);
+  EXPECT_DOUBLE_EQ(mostBy(0, 0.15F, 0.05), 1.5);
 }
 
 TEST(KeptPlace, LosesLittleByWhatWasTakenAwayThoughSomebodyStandsBesideIt) {
