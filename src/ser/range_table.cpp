@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "core/parallel.hpp"
+#include "fan.hpp"
 #include "numbering.hpp"
 #include "range_blocks.hpp"
 #include "sweep.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-constexpr double kPlanesMemory = 8e6;  // bytes, while a table is being made
 
 /// Cells of a box whose lattice indices are divisible by the spacing, as a lattice of their own.
 class SpacedBox {
@@ -42,21 +41,10 @@ class SpacedBox {
   int width_{0}, height_{0};
 };
 
-/// Directions in which x is the faster axis, or y.
-std::vector<int> directionsWith(bool x_is_faster) {
-  std::vector<int> directions;
-  for (int d = 0; d < kDirections; ++d) {
-    const double angle = d * kDirectionStep;
-    if ((std::abs(std::cos(angle)) >= std::abs(std::sin(angle))) == x_is_faster) {
-      directions.push_back(d);
-    }
-  }
-  return directions;
-}
-
 }  // namespace
 
-/// Sweeps a few directions at a time into planes, and deals the planes out to the cells.
+/// Sweeps some directions at a time, strip by strip of the map, and deals out to the cells what was
+/// seen in a strip.
 class RangeTableBuilder {
  public:
   RangeTableBuilder(const OccupancyGrid& map, double max_range, int spacing)
@@ -64,7 +52,7 @@ class RangeTableBuilder {
         box_(knownCells(map)),
         spaced_(box_, spacing),
         spacing_(spacing),
-        free_(planeSize()) {
+        free_(at(0, spaced_.height(), spaced_.width())) {
     scale_ = static_cast<float>(map.lattice().resolution() / max_range * kNoReturn);
   }
 
@@ -81,8 +69,15 @@ class RangeTableBuilder {
     }
     if (cells.empty()) return;
     ranges.assign(cells.size() * kRangeStride, 0);
-    for (const bool x_is_faster : {true, false}) {
-      sweepAll(x_is_faster, ranges.data(), stop, progress);
+    std::optional<SweepMap> lines;
+    std::size_t done = 0;
+    for (const Fan& fan : fans()) {
+      const bool is_new = !lines || lines_are_columns_ != fan.is_along_x;
+      lines_are_columns_ = fan.is_along_x;
+      if (is_new) lines.emplace(map_, box_, lines_are_columns_, spacing_);
+      sweep(*lines, fan, ranges.data(), stop);
+      done += fan.count;
+      if (progress) progress(done);
     }
   }
 
@@ -91,89 +86,75 @@ class RangeTableBuilder {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);
   }
-  std::size_t planeSize() const { return at(0, spaced_.height(), spaced_.width()); }
 
-  void sweepAll(bool x_is_faster, std::uint8_t* ranges, const StopToken& stop,
-                const SweepProgress& progress) {
-    const SweepMap lines = sweepMapOf(map_, box_, x_is_faster);
-    const std::vector<int> directions = directionsWith(x_is_faster);
-    const auto at_once = std::clamp<std::size_t>(
-        static_cast<std::size_t>(kPlanesMemory / static_cast<double>(planeSize() + 1)), 1, 32);
-    std::vector<std::uint8_t> planes(at_once * planeSize());
-    for (std::size_t first = 0; first < directions.size(); first += at_once) {
-      const std::size_t count = std::min(at_once, directions.size() - first);
-      parallelFor(count, 1, [&](const Chunk& chunk) {
-        std::uint8_t* plane = planes.data() + chunk.begin * planeSize();
-        sweepOne(lines, directions[first + chunk.begin], x_is_faster, plane, stop);
+  /// Lines that are asked for, as numbers of the spaced box.
+  struct Strip {
+    int first, end;
+  };
+
+  void sweep(const SweepMap& lines, const Fan& fan, std::uint8_t* ranges, const StopToken& stop) {
+    std::vector<std::optional<Sweep>> sweeps(fan.count);
+    parallelFor(sweeps.size(), 1, [&](const Chunk& chunk) {
+      stop.check();
+      sweeps[chunk.begin].emplace(lines, fan.direction(chunk.begin), scale_);
+    });
+    const int count = lines_are_columns_ ? spaced_.width() : spaced_.height();
+    const int strips = (count + kTile - 1) / kTile;
+    plane_size_ = at(0, kTile, lines.length());
+    planes_.resize(sweeps.size() * plane_size_);
+    for (int n = 0; n < strips; ++n) {
+      const int first = (fan.sense > 0 ? strips - 1 - n : n) * kTile;
+      const Strip strip{first, std::min(first + kTile, count)};
+      const int end = strip.end < count ? strip.end * spacing_ : lines.lines();
+      parallelFor(sweeps.size(), 1, [&](const Chunk& chunk) {
+        stop.check();
+        std::uint8_t* plane = planes_.data() + chunk.begin * plane_size_;
+        sweeps[chunk.begin]->advance(strip.first * spacing_, end, plane);
       });
-      dealOut({directions.data() + first, count}, planes, x_is_faster, ranges);
-      done_ += count;
-      if (progress) progress(done_);
+      dealOut(strip, fan, lines.length(), ranges);
     }
   }
 
-  void sweepOne(const SweepMap& lines, int direction, bool x_is_faster, std::uint8_t* plane,
-                const StopToken& stop) const {
-    const double angle = direction * kDirectionStep;
-    const double du = x_is_faster ? std::cos(angle) : std::sin(angle);
-    const double dv = x_is_faster ? std::sin(angle) : std::cos(angle);
-    Sweep request;
-    request.sense = du > 0.0 ? 1 : -1;
-    request.slope = std::clamp(dv / std::abs(du), -1.0, 1.0);
-    request.scale = scale_;
-    request.spacing = spacing_;
-    request.first_u = x_is_faster ? spaced_.firstX() : spaced_.firstY();
-    request.first_v = x_is_faster ? spaced_.firstY() : spaced_.firstX();
-    request.steps = plane;
-    request.pitch = static_cast<std::size_t>(x_is_faster ? spaced_.height() : spaced_.width());
-    sweep(lines, request, stop);
-  }
-
-  struct Directions {
-    const int* begin;
-    std::size_t count;
-  };
-
-  /// Tile by tile and there line by line of the planes, so that what is read and what is written
-  /// stays in the cache.
-  void dealOut(const Directions& directions, const std::vector<std::uint8_t>& planes,
-               bool planes_are_columns, std::uint8_t* ranges) const {
-    const int lines = planes_are_columns ? spaced_.width() : spaced_.height();
-    const int length = planes_are_columns ? spaced_.height() : spaced_.width();
-    const int tiles_across = (length + kTile - 1) / kTile;
-    const auto tiles = static_cast<std::size_t>(tiles_across) *
-                       static_cast<std::size_t>((lines + kTile - 1) / kTile);
+  /// Tile by tile, so that what is written stays in the cache.
+  void dealOut(const Strip& strip, const Fan& fan, int line_length, std::uint8_t* ranges) const {
+    const int length = lines_are_columns_ ? spaced_.height() : spaced_.width();
+    const auto tiles = static_cast<std::size_t>((length + kTile - 1) / kTile);
     parallelFor(tiles, 1, [&](const Chunk& chunk) {
-      const int first_line = static_cast<int>(chunk.begin) / tiles_across * kTile;
-      const int first = static_cast<int>(chunk.begin) % tiles_across * kTile;
-      for (int line = first_line; line < std::min(first_line + kTile, lines); ++line) {
-        const FreeCells cells =
-            freeCells(line, first, std::min(first + kTile, length), planes_are_columns);
-        for (std::size_t k = 0; k < directions.count; ++k) {
-          const std::uint8_t* seen = planes.data() + k * planeSize() + at(0, line, length);
-          std::uint8_t* out = ranges + directions.begin[k];
-          for (std::size_t c = 0; c < cells.count; ++c) out[cells.row[c]] = seen[cells.place[c]];
+      const int first = static_cast<int>(chunk.begin) * kTile;
+      for (int line = strip.first; line < strip.end; ++line) {
+        const FreeCells cells = freeCells(line, first, std::min(first + kTile, length));
+        for (std::size_t c = 0; c < cells.count; ++c) {
+          __builtin_prefetch(ranges + cells.row[c] + fan.first, 1);
+        }
+        const std::uint8_t* seen = planes_.data() + at(0, line - strip.first, line_length);
+        for (std::size_t c = 0; c < cells.count; ++c) {
+          std::array<std::uint8_t, Fan::kMost> of_cell;
+          for (std::size_t k = 0; k < fan.count; ++k) {
+            of_cell[k] = seen[k * plane_size_ + cells.place[c]];
+          }
+          std::copy_n(of_cell.begin(), fan.count, ranges + cells.row[c] + fan.first);
         }
       }
     });
   }
 
-  static constexpr int kTile = 32;
+  static constexpr int kTile = 32;  // lines of a strip, and cells along them
 
   /// The free cells of a part of a line: where on it, and where their rows of ranges begin.
   struct FreeCells {
     std::size_t count{0};
-    std::array<int, kTile> place;
+    std::array<std::size_t, kTile> place;
     std::array<std::size_t, kTile> row;
   };
-  FreeCells freeCells(int line, int first, int end, bool lines_are_columns) const {
+  FreeCells freeCells(int line, int first, int end) const {
+    const int first_place = lines_are_columns_ ? spaced_.firstY() : spaced_.firstX();
     FreeCells cells;
     for (int v = first; v < end; ++v) {
       const std::size_t cell =
-          lines_are_columns ? at(line, v, spaced_.width()) : at(v, line, spaced_.width());
+          lines_are_columns_ ? at(line, v, spaced_.width()) : at(v, line, spaced_.width());
       if (!free_.isMarked(cell)) continue;
       const std::size_t c = cells.count++;
-      cells.place[c] = v;
+      cells.place[c] = static_cast<std::size_t>(first_place + v * spacing_);
       cells.row[c] = free_.number(cell) * kRangeStride;
     }
     return cells;
@@ -184,8 +165,10 @@ class RangeTableBuilder {
   SpacedBox spaced_;
   int spacing_;
   float scale_;
-  Numbering free_;       // of the spaced cells
-  std::size_t done_{0};  // directions
+  Numbering free_;  // of the spaced cells
+  bool lines_are_columns_{false};
+  std::vector<std::uint8_t> planes_;  // of a strip, one for each direction of a fan
+  std::size_t plane_size_{0};
 };
 
 RangeTable::RangeTable(const OccupancyGrid& map, double max_range, int spacing,

@@ -10,41 +10,6 @@ namespace {
 
 constexpr float kFree = std::numeric_limits<float>::infinity();
 
-/// Lines are swept in so many bundles, one beside the other: a cell's own line is a bundle's that
-/// is off by half of one part of a cell at the most.
-constexpr int kBundles = 4;
-
-/// From one line to the next the digital line advances by `shift` (-1, 0, 1) in v; on a slanted
-/// step it passes through one more cell. Distances are measured along the ray, in cells, from where
-/// it leaves the middle of the first line.
-struct LineStep {
-  int shift;
-  bool side_is_on_this_line;  // the cell passed on a slanted step: on this line or on the next
-  float length;               // of the whole step
-  float to_next;              // where the next line's cell is entered
-  float to_side;              // where the cell in between is entered
-};
-
-/// std::floor for what fits into an int, without a call.
-int floorOf(double x) {
-  const int truncated = static_cast<int>(x);
-  return truncated - (x < truncated ? 1 : 0);
-}
-
-/// The step from line t to t + 1 of the digital line v = floor(slope t + start + 1/2).
-LineStep stepAfter(int t, double slope, double start, double length) {
-  const int now = floorOf(slope * t + start + 0.5);
-  const int shift = floorOf(slope * (t + 1) + start + 0.5) - now;
-  LineStep step{shift, false, static_cast<float>(length), static_cast<float>(0.5 * length), 0.0F};
-  if (shift == 0) return step;
-  // where the border between v and v + shift is crossed
-  const double crossing = (now + 0.5 * shift - start) / slope - t;
-  step.side_is_on_this_line = crossing < 0.5;
-  step.to_side = static_cast<float>(std::min(crossing, 0.5) * length);
-  step.to_next = static_cast<float>(std::max(crossing, 0.5) * length);
-  return step;
-}
-
 /// How far is seen where an obstacle would be entered after some way.
 inline __attribute__((always_inline)) float until(std::uint8_t obstacle, float way) {
   return obstacle != 0 ? way : kFree;
@@ -111,102 +76,55 @@ constexpr StepBack kStepBack = stepBackPortable;
 constexpr Round kRound = roundPortable;
 #endif
 
-/// The bundle of lines that passes nearest to the middles of line t's cells.
-int nearestBundle(int t, double slope) {
-  const int nearest = floorOf(-slope * t * kBundles + 0.5) % kBundles;
-  return nearest < 0 ? nearest + kBundles : nearest;
-}
-
-/// Sweeps all lines that start some bundle / kBundles above the middle of a cell.
-class BundleSweep {
- public:
-  BundleSweep(const SweepMap& map, const Sweep& request, int bundle)
-      : map_(map),
-        request_(request),
-        bundle_(bundle),
-        start_(static_cast<double>(bundle) / kBundles),
-        length_(std::sqrt(1.0 + request.slope * request.slope)),
-        seen_(static_cast<std::size_t>(map.length + 2), kFree),
-        result_(seen_.size(), kFree),
-        steps_(static_cast<std::size_t>(map.length)) {}
-
-  /// Goes back from line t + 1 to t.
-  void step(int t) {
-    const int u = request_.sense > 0 ? t : map_.lines - 1 - t;
-    if (t < map_.lines - 1) {
-      const LineStep step = stepAfter(t, request_.slope, start_, length_);
-      kStepBack(step, map_.line(u), map_.line(u + request_.sense), seen_.data() + 1, map_.length,
-                result_.data() + 1);
-      seen_.swap(result_);
-    }
-    const bool is_asked_for = u % request_.spacing == request_.first_u;
-    if (is_asked_for && nearestBundle(t, request_.slope) == bundle_) write(u);
-  }
-
- private:
-  void write(int u) {
-    std::uint8_t* out =
-        request_.steps + static_cast<std::size_t>(u / request_.spacing) * request_.pitch;
-    const auto inside = static_cast<float>(0.5 * length_);  // half a step: to the cell's middle
-    if (request_.spacing == 1) {
-      kRound(seen_.data() + 1, map_.length, inside, request_.scale, out);
-      return;
-    }
-    kRound(seen_.data() + 1, map_.length, inside, request_.scale, steps_.data());
-    for (int v = request_.first_v; v < map_.length; v += request_.spacing) {
-      *out++ = steps_[static_cast<std::size_t>(v)];
-    }
-  }
-
-  const SweepMap& map_;
-  const Sweep& request_;
-  int bundle_;
-  double start_;
-  double length_;                     // of a step from line to line
-  std::vector<float> seen_, result_;  // one border cell at both ends, beyond which nothing is seen
-  std::vector<std::uint8_t> steps_;
-};
-
 }  // namespace
 
-CellBox knownCells(const OccupancyGrid& map) {
-  const Lattice& lattice = map.lattice();
-  int low_x = lattice.width(), low_y = lattice.height(), high_x = -1, high_y = -1;
-  for (std::size_t i = 0; i < map.cells().size(); ++i) {
-    if (map.cells()[i] < 0) continue;
-    const Cell cell = lattice.cell(i);
-    low_x = std::min(low_x, cell.x);
-    low_y = std::min(low_y, cell.y);
-    high_x = std::max(high_x, cell.x);
-    high_y = std::max(high_y, cell.y);
-  }
-  if (high_x < 0) return {0, 0, 0, 0};
-  return {low_x, low_y, high_x - low_x + 1, high_y - low_y + 1};
+BundleSweep::BundleSweep(const SweepMap& map, const SweepDirection& direction, int bundle)
+    : map_(map),
+      direction_(direction),
+      line_(direction.slope, bundle, map.lines()),
+      paths_(map, direction, bundle, line_),
+      seen_(static_cast<std::size_t>(map.length() + 2), kFree),
+      result_(seen_) {}
+
+/// Where no beam comes along, what was seen from lines farther off is left: it is of no use to a
+/// beam, as that ends before.
+void BundleSweep::stepTo(int t) {
+  if (t == map_.lines() - 1) return;
+  const int u = direction_.sense > 0 ? t : map_.lines() - 1 - t;
+  const LineStep& step = line_.stepAfter(t);
+  const std::uint8_t* here = map_.obstacles(u);
+  const std::uint8_t* next = map_.obstacles(u + direction_.sense);
+  paths_.forEachRun(t, [&](int first, int end) {
+    kStepBack(step, here + first, next + first, seen_.data() + 1 + first, end - first,
+              result_.data() + 1 + first);
+  });
+  seen_.swap(result_);
 }
 
-SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are_columns) {
-  SweepMap result;
-  result.lines = lines_are_columns ? box.width : box.height;
-  result.length = lines_are_columns ? box.height : box.width;
-  const auto pitch = static_cast<std::size_t>(result.length + 2);
-  result.obstacle.assign(static_cast<std::size_t>(result.lines) * pitch, 0);
-  for (int y = 0; y < box.height; ++y) {
-    for (int x = 0; x < box.width; ++x) {
-      if (!map.endsBeams({box.x + x, box.y + y})) continue;
-      const auto u = static_cast<std::size_t>(lines_are_columns ? x : y);
-      const auto v = static_cast<std::size_t>(lines_are_columns ? y : x);
-      result.obstacle[u * pitch + 1 + v] = 1;
-    }
-  }
-  return result;
+void BundleSweep::write(int t, float scale, std::uint8_t* ranges) const {
+  const auto inside =
+      static_cast<float>(0.5 * line_.stepLength());  // half a step: to the cell's middle
+  paths_.forEachRun(t, [&](int first, int end) {
+    kRound(seen_.data() + 1 + first, end - first, inside, scale, ranges + first);
+  });
 }
 
-void sweep(const SweepMap& map, const Sweep& request, const StopToken& stop) {
-  std::vector<BundleSweep> bundles;
-  for (int bundle = 0; bundle < kBundles; ++bundle) bundles.emplace_back(map, request, bundle);
-  for (int t = map.lines - 1; t >= 0; --t) {  // together, to read the map's lines once
-    stop.check();
-    for (BundleSweep& bundle : bundles) bundle.step(t);
+Sweep::Sweep(const SweepMap& map, const SweepDirection& direction, float scale)
+    : map_(map), direction_(direction), scale_(scale) {
+  bundles_.reserve(kBundles);
+  for (int bundle = 0; bundle < kBundles; ++bundle) bundles_.emplace_back(map, direction, bundle);
+}
+
+void Sweep::advance(int first, int end, std::uint8_t* ranges) {
+  const bool is_forward = direction_.sense > 0;
+  for (int n = 0; n < end - first; ++n) {
+    const int u = is_forward ? end - 1 - n : first + n;
+    const int t = is_forward ? u : map_.lines() - 1 - u;
+    for (BundleSweep& bundle : bundles_) bundle.stepTo(t);  // together: they read the same lines
+    if (!map_.isAskedFor(u)) continue;
+    const auto nearest = static_cast<std::size_t>(nearestBundle(t, direction_.slope));
+    const auto line = static_cast<std::size_t>(map_.askedBefore(u) - map_.askedBefore(first));
+    bundles_[nearest].write(t, scale_, ranges + line * static_cast<std::size_t>(map_.length()));
   }
 }
 

@@ -5,51 +5,49 @@
 #include <cstdint>
 #include <vector>
 
-#include "adaptive_localization/core/stop_token.hpp"
-#include "adaptive_localization/map/occupancy_grid.hpp"
+#include "beam_paths.hpp"
+#include "digital_line.hpp"
+#include "sweep_map.hpp"
 
 namespace adaptive_localization {
 
-/// A rectangle of a map's cells.
-struct CellBox {
-  int x, y;  // of its first cell
-  int width, height;
+/// All digital lines of a bundle, swept back from the last line of the map to the first.
+class BundleSweep {
+ public:
+  BundleSweep(const SweepMap& map, const SweepDirection& direction, int bundle);
+
+  /// Goes back to line number t, counted along the direction, from t + 1.
+  void stepTo(int t);
+
+  /// Ranges from where obstacles are entered to half a step on; of cells where no beam comes along
+  /// nothing is written.
+  void write(int t, float scale, std::uint8_t* ranges) const;
+
+ private:
+  const SweepMap& map_;
+  SweepDirection direction_;
+  DigitalLine line_;
+  BeamPaths paths_;
+  std::vector<float> seen_, result_;  // one border cell at both ends, beyond which nothing is seen
 };
 
-/// The smallest box around all known cells; empty if there is none.
-CellBox knownCells(const OccupancyGrid& map);
+/// Ranges from the cells of a SweepMap that are asked for in one direction: scale times the number
+/// of cells travelled until half a step into the first obstacle (see RayCaster), rounded, at most
+/// 255. O(cells) time, some lines of memory.
+class Sweep {
+ public:
+  Sweep(const SweepMap& map, const SweepDirection& direction, float scale);
 
-/// A box of the map as sweeps read it: lines of cells along v, one for each u, with a border of one
-/// free cell at both ends.
-struct SweepMap {
-  int lines;                           // number of u
-  int length;                          // number of v
-  std::vector<std::uint8_t> obstacle;  // [line][1 + v]: 1 where there is one, else 0
+  /// Goes on over the lines [first, end): the last ones of the map for sense 1, then those before;
+  /// or the other way round. Ranges of the k-th line among them that is asked for are written from
+  /// k * length on, and those of other cells than are asked for mean nothing.
+  void advance(int first, int end, std::uint8_t* ranges);
 
-  const std::uint8_t* line(int u) const {
-    return obstacle.data() + static_cast<std::size_t>(u) * static_cast<std::size_t>(length + 2) + 1;
-  }
+ private:
+  const SweepMap& map_;
+  SweepDirection direction_;
+  float scale_;
+  std::vector<BundleSweep> bundles_;
 };
-
-/// Lines are the box's columns (u = x, v = y) or its rows (u = y, v = x).
-SweepMap sweepMapOf(const OccupancyGrid& map, const CellBox& box, bool lines_are_columns);
-
-/// Ranges from all of a SweepMap's cells in one direction, which advances by `sense` (1 or -1) in u
-/// and by `slope`, in [-1, 1], in v at each step: scale times the number of cells travelled until
-/// half a step into the first obstacle (see RayCaster), rounded, at most 255. Only cells of every
-/// `spacing`-th line and column are written, steps[u / spacing * pitch + v / spacing], counted from
-/// `first`, the remainder of u and v.
-struct Sweep {
-  int sense;
-  double slope;
-  float scale;
-  int spacing;
-  int first_u, first_v;
-  std::uint8_t* steps;
-  std::size_t pitch;
-};
-
-/// Needs O(cells) time and two lines of memory. Throws Stopped.
-void sweep(const SweepMap& map, const Sweep& request, const StopToken& stop = {});
 
 }  // namespace adaptive_localization
