@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parts.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -41,8 +43,7 @@ std::size_t PoseBins::slotOf(const PoseBin& bin) const {
   return slot;
 }
 
-int PoseBins::add(const Pose2& pose) {
-  const PoseBin bin = binOf(pose);
+int PoseBins::addBin(const PoseBin& bin) {
   const std::size_t slot = slotOf(bin);
   if (slots_[slot] != kNone) return slots_[slot];
   const int number = count();
@@ -50,6 +51,33 @@ int PoseBins::add(const Pose2& pose) {
   bins_.push_back(bin);
   if (2 * bins_.size() > slots_.size()) grow();
   return number;
+}
+
+/// Parts have bins of their own first.
+std::vector<int> PoseBins::addAll(const Particles& particles) {
+  std::vector<int> numbers(static_cast<std::size_t>(particles.size()));
+  if (particles.size() <= kShort) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      numbers[i] = add(particles.pose(static_cast<Eigen::Index>(i)));
+    }
+    return numbers;
+  }
+  std::vector<PoseBins> own((numbers.size() + kPart - 1) / kPart,
+                            PoseBins(side_, 2.0 * kPi / headings_));
+  forEachPart(particles.size(), [&](Eigen::Index first, Eigen::Index size) {
+    PoseBins& bins = own[static_cast<std::size_t>(first / kPart)];
+    for (Eigen::Index i = first; i < first + size; ++i) {
+      numbers[static_cast<std::size_t>(i)] = bins.add(particles.pose(i));
+    }
+  });
+  std::vector<std::vector<int>> here(own.size());  // numbers of theirs
+  for (std::size_t part = 0; part < own.size(); ++part) {
+    for (const PoseBin& bin : own[part].bins_) here[part].push_back(addBin(bin));
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = here[i / kPart][static_cast<std::size_t>(numbers[i])];
+  }
+  return numbers;
 }
 
 int PoseBins::find(PoseBin bin) const {

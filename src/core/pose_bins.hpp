@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "adaptive_localization/core/particles.hpp"
 #include "adaptive_localization/core/pose2.hpp"
 
 namespace adaptive_localization {
@@ -25,7 +26,10 @@ class PoseBins {
   PoseBins(double side, double angle);
 
   /// The number of the pose's bin; a new one if it was empty.
-  int add(const Pose2& pose);
+  int add(const Pose2& pose) { return addBin(binOf(pose)); }
+
+  /// The same for all particles, in their order: the number of each one's bin.
+  std::vector<int> addAll(const Particles& particles);
 
   /// The number of a bin, kNone if no pose fell into it. Headings wrap.
   int find(PoseBin bin) const;
@@ -36,6 +40,7 @@ class PoseBins {
 
  private:
   PoseBin binOf(const Pose2& pose) const;
+  int addBin(const PoseBin& bin);
   std::size_t slotOf(const PoseBin& bin) const;
   void grow();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adaptive_localization/particle/summary.hpp"
+#include "core/parts.hpp"
 #include "particle/gaussian_cloud.hpp"
 
 namespace adaptive_localization {
@@ -13,7 +14,11 @@ namespace {
 double spreadOf(const Particles& particles, const Eigen::ArrayXd& weights) {
   const double x = (weights * particles.x).sum();
   const double y = (weights * particles.y).sum();
-  return (weights * ((particles.x - x).square() + (particles.y - y).square()).sqrt()).sum();
+  return sumOverParts<double>(particles.size(), [&](Eigen::Index first, Eigen::Index size) {
+    const auto dx = particles.x.segment(first, size) - x;
+    const auto dy = particles.y.segment(first, size) - y;
+    return (weights.segment(first, size) * (dx.square() + dy.square()).sqrt()).sum();
+  });
 }
 
 bool isOnePlace(const Estimate& estimate) {
@@ -60,7 +65,7 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
     move(motion);
   }
   const Eigen::ArrayXd weights = weigh(observations);
-  particles_.log_weight = weights.log();
+  particles_.log_weight = logOf(weights);
   Estimate estimate = summarize(particles_, weights);
 
   if (isOnePlace(estimate)) anywhere_ = false;
@@ -92,8 +97,13 @@ Eigen::ArrayXd ParticleFilter::weigh(const Observations& observations) {
   if (beams <= 0.0) return weights;
   Eigen::Index best = 0;
   log_likelihood.maxCoeff(&best);
-  const Evidence evidence{observations, (weights * (log_likelihood / beams).exp()).sum(),
-                          particles_.pose(best), spreadOf(particles_, weights), particles_.size()};
+  const double likelihood =
+      sumOverParts<double>(particles_.size(), [&](Eigen::Index first, Eigen::Index size) {
+        return (weights.segment(first, size) * (log_likelihood.segment(first, size) / beams).exp())
+            .sum();
+      });
+  const Evidence evidence{observations, likelihood, particles_.pose(best),
+                          spreadOf(particles_, weights), particles_.size()};
   parts_.exploration->observe(evidence);
   return temperedWeights(weights, log_likelihood, options_.min_effective_share);
 }

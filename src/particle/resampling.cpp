@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/parts.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -30,12 +32,27 @@ std::vector<Eigen::Index> indicesAt(const Eigen::ArrayXd& weights, Eigen::Index 
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight) {
   const Eigen::Index count = log_weight.size();
   if (count == 0) return {};
-  Eigen::ArrayXd weights = (log_weight - log_weight.maxCoeff()).exp();
-  const double sum = weights.sum();
+  Eigen::ArrayXd weights(count);
+  const double most = log_weight.maxCoeff();
+  forEachPart(count, [&](Eigen::Index first, Eigen::Index size) {
+    weights.segment(first, size) = (log_weight.segment(first, size) - most).exp();
+  });
+  const double sum = sumOverParts<double>(count, [&](Eigen::Index first, Eigen::Index size) {
+    return weights.segment(first, size).sum();
+  });
   // one that is no number, an infinite one or only zeros make the sum none either
   if (!std::isfinite(sum)) return Eigen::ArrayXd::Constant(count, 1.0 / static_cast<double>(count));
-  weights /= sum;
+  forEachPart(count,
+              [&](Eigen::Index first, Eigen::Index size) { weights.segment(first, size) /= sum; });
   return weights;
+}
+
+Eigen::ArrayXd logOf(const Eigen::ArrayXd& weights) {
+  Eigen::ArrayXd log_weight(weights.size());
+  forEachPart(weights.size(), [&](Eigen::Index first, Eigen::Index size) {
+    log_weight.segment(first, size) = weights.segment(first, size).log();
+  });
+  return log_weight;
 }
 
 double effectiveSize(const Eigen::ArrayXd& weights) {
@@ -44,9 +61,14 @@ double effectiveSize(const Eigen::ArrayXd& weights) {
 
 Eigen::ArrayXd temperedWeights(const Eigen::ArrayXd& weights, const Eigen::ArrayXd& log_likelihood,
                                double min_share) {
-  const Eigen::ArrayXd log_weight = weights.log();
+  const Eigen::ArrayXd log_weight = logOf(weights);
   const auto raised = [&](double exponent) {
-    return normalisedWeights(log_weight + exponent * log_likelihood);
+    Eigen::ArrayXd posterior(weights.size());
+    forEachPart(weights.size(), [&](Eigen::Index first, Eigen::Index size) {
+      posterior.segment(first, size) =
+          log_weight.segment(first, size) + exponent * log_likelihood.segment(first, size);
+    });
+    return normalisedWeights(posterior);
   };
   const double wanted = min_share * effectiveSize(weights);
   Eigen::ArrayXd posterior = raised(1.0);
@@ -91,9 +113,11 @@ std::vector<Eigen::Index> multinomialIndices(const Eigen::ArrayXd& weights, Eige
 
 Particles select(const Particles& particles, const std::vector<Eigen::Index>& indices) {
   Particles selected(static_cast<Eigen::Index>(indices.size()));
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    selected.setPose(static_cast<Eigen::Index>(k), particles.pose(indices[k]));
-  }
+  forEachPart(selected.size(), [&](Eigen::Index first, Eigen::Index size) {
+    for (Eigen::Index k = first; k < first + size; ++k) {
+      selected.setPose(k, particles.pose(indices[static_cast<std::size_t>(k)]));
+    }
+  });
   return selected;
 }
 

@@ -87,7 +87,7 @@ class KldResampled : public KldDrawn {
 
   void observe(const Particles& particles) override {
     PoseBins bins(options_.kld_bin_xy, options_.kld_bin_theta);
-    for (Eigen::Index i = 0; i < particles.size(); ++i) bins.add(particles.pose(i));
+    bins.addAll(particles);
     next_ = sizeFor(bins.count());
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parts.hpp"
 #include "core/pose_bins.hpp"
 
 namespace adaptive_localization {
@@ -40,38 +41,63 @@ std::vector<int> labelClusters(const PoseBins& bins, int& clusters) {
   return label;
 }
 
+/// Of weighted poses.
+struct Sums {
+  double mass{0.0}, x{0.0}, y{0.0}, cos{0.0}, sin{0.0};
+
+  Sums& operator+=(const Sums& other) {
+    mass += other.mass;
+    x += other.x;
+    y += other.y;
+    cos += other.cos;
+    sin += other.sin;
+    return *this;
+  }
+};
+
 }  // namespace
 
 Mode meanAndCovariance(const Particles& particles, const Eigen::ArrayXd& weights,
                        const std::vector<Eigen::Index>& members) {
+  const auto count = static_cast<Eigen::Index>(members.size());
+  const auto member = [&](Eigen::Index k) { return members[static_cast<std::size_t>(k)]; };
+  const auto sums = sumOverParts<Sums>(count, [&](Eigen::Index first, Eigen::Index size) {
+    Sums part;
+    for (Eigen::Index k = first; k < first + size; ++k) {
+      const Eigen::Index i = member(k);
+      part.mass += weights[i];
+      part.x += weights[i] * particles.x[i];
+      part.y += weights[i] * particles.y[i];
+      part.cos += weights[i] * std::cos(particles.theta[i]);
+      part.sin += weights[i] * std::sin(particles.theta[i]);
+    }
+    return part;
+  });
   Mode mode;
-  double sum_x = 0.0, sum_y = 0.0, sum_cos = 0.0, sum_sin = 0.0;
-  for (const Eigen::Index i : members) {
-    mode.mass += weights[i];
-    sum_x += weights[i] * particles.x[i];
-    sum_y += weights[i] * particles.y[i];
-    sum_cos += weights[i] * std::cos(particles.theta[i]);
-    sum_sin += weights[i] * std::sin(particles.theta[i]);
-  }
+  mode.mass = sums.mass;
   if (!(mode.mass > 0.0)) {  // weights that underflowed: any member will do
     if (!members.empty()) mode.T_map_base = particles.pose(members.front());
     return mode;
   }
-  mode.T_map_base = {sum_x / mode.mass, sum_y / mode.mass, std::atan2(sum_sin, sum_cos)};
-  for (const Eigen::Index i : members) {
-    const Eigen::Vector3d d(particles.x[i] - mode.T_map_base.x, particles.y[i] - mode.T_map_base.y,
-                            wrapAngle(particles.theta[i] - mode.T_map_base.theta));
-    mode.covariance += weights[i] / mode.mass * d * d.transpose();
-  }
+  mode.T_map_base = {sums.x / mode.mass, sums.y / mode.mass, std::atan2(sums.sin, sums.cos)};
+  mode.covariance =
+      sumOverParts<Eigen::Matrix3d>(count, [&](Eigen::Index first, Eigen::Index size) {
+        Eigen::Matrix3d part = Eigen::Matrix3d::Zero();
+        for (Eigen::Index k = first; k < first + size; ++k) {
+          const Eigen::Index i = member(k);
+          const Eigen::Vector3d d(particles.x[i] - mode.T_map_base.x,
+                                  particles.y[i] - mode.T_map_base.y,
+                                  wrapAngle(particles.theta[i] - mode.T_map_base.theta));
+          part += weights[i] / mode.mass * d * d.transpose();
+        }
+        return part;
+      });
   return mode;
 }
 
 Estimate summarize(const Particles& particles, const Eigen::ArrayXd& weights) {
   PoseBins bins(kBinSide, kBinAngle);
-  std::vector<int> bin(static_cast<std::size_t>(particles.size()));
-  for (std::size_t i = 0; i < bin.size(); ++i) {
-    bin[i] = bins.add(particles.pose(static_cast<Eigen::Index>(i)));
-  }
+  const std::vector<int> bin = bins.addAll(particles);
   int clusters = 0;
   const std::vector<int> label = labelClusters(bins, clusters);
   std::vector<std::vector<Eigen::Index>> members(static_cast<std::size_t>(clusters));

@@ -169,6 +169,15 @@ void registerOthers() {
       benchmark::RegisterBenchmark(name.c_str(), update, core, particles, beams);
     }
   }
+  for (const int threads : {1, 2}) {
+    const std::string name = "update/mcl/100000/60/threads/" + std::to_string(threads);
+    const auto run = [threads](benchmark::State& state) {
+      setThreads(threads);
+      update(state, "mcl", 100000, 60);
+      setThreads(1);
+    };
+    benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime();
+  }
   for (const int side : {400, 4000}) {
     benchmark::RegisterBenchmark(("distance_field/" + std::to_string(side)).c_str(), distanceField,
                                  side);

@@ -7,7 +7,9 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <vector>
 
+#include "core/parallel.hpp"
 #include "support/pose_matchers.hpp"
 
 namespace adaptive_localization {
@@ -40,6 +42,20 @@ TEST(PoseBins, NumberBinsInTheOrderOfTheirFirstPose) {
   EXPECT_EQ(bins.add({-0.5, 0.5, 0.1}), 1);
   EXPECT_EQ(bins.add({0.9, 0.1, 0.1}), 0);
   EXPECT_EQ(bins.count(), 2);
+}
+
+TEST(PoseBins, OfManyParticlesAreNumberedAsOneByOne) {
+  Rng rng(2);
+  Particles particles(30001);
+  for (Eigen::Index i = 0; i < particles.size(); ++i) particles.setPose(i, randomPose(rng, 3.0));
+  PoseBins by_one(0.5, kPi / 18.0), bins(0.5, kPi / 18.0);
+  setThreads(4);
+  const std::vector<int> numbers = bins.addAll(particles);
+  setThreads(1);
+  for (Eigen::Index i = 0; i < particles.size(); ++i) {
+    ASSERT_EQ(numbers[static_cast<std::size_t>(i)], by_one.add(particles.pose(i))) << i;
+  }
+  EXPECT_EQ(bins.count(), by_one.count());
 }
 
 TEST(PoseBins, WrapHeadings) {

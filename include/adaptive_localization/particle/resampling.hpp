@@ -17,6 +17,9 @@ namespace adaptive_localization {
 /// number) become uniform.
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight);
 
+/// Their logarithms.
+Eigen::ArrayXd logOf(const Eigen::ArrayXd& weights);
+
 /// Effective number of particles, 1 / sum w^2, of normalised weights (Kong, Liu, Wong 1994).
 double effectiveSize(const Eigen::ArrayXd& weights);
 
