@@ -63,9 +63,8 @@ std::vector<SearchPose> GlobalSearch::findPosesPlainly(const DirectionalScan& sc
   for (std::uint32_t cell = 0; cell < ranges().size(); ++cell) {
     const std::uint8_t* seen = ranges().ranges(cell);
     for (int d = 0; d < kDirections; ++d) {
-      best.add({cell, d,
-                sum_of_distances(seen, seen, targets.low(d), targets.high(d), limits.truncation,
-                                 best.limit())});
+      best.add(
+          {cell, d, sum_of_distances(seen, seen, targets.of(d), limits.truncation, best.limit())});
     }
   }
   visited_share_ = 1.0;

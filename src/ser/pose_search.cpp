@@ -26,7 +26,7 @@ PoseSearch::PoseSearch(std::shared_ptr<const RangeTable> table, const Directiona
       targets_(scan, 1),
       limits_(limits),
       best_(limits.margin, limits.greatest),
-      starts_(static_cast<std::size_t>(limits.greatest) + 2, 0) {}
+      starts_(bucketOf(limits.greatest) + 2, 0) {}
 
 bool PoseSearch::advance(SearchWork& left) {
   return bound(left) && sort(left) && visit(left);
@@ -44,8 +44,8 @@ bool PoseSearch::bound(SearchWork& left) {
         const std::size_t block = bounded_ + k;
         for (int g = 0; g < groups_.size(); ++g) {
           bounds[k * per_block + static_cast<std::size_t>(g)] = static_cast<std::uint16_t>(
-              kSumOfDistances(blocks.low(block), blocks.high(block), groups_.low(g),
-                              groups_.high(g), limits_.truncation, limits_.greatest));
+              kSumOfDistances(blocks.low(block), blocks.high(block), groups_.of(g),
+                              limits_.truncation, limits_.greatest));
         }
       }
     });
@@ -61,11 +61,11 @@ void PoseSearch::keep(std::size_t first_block, const std::vector<std::uint16_t>&
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (bounds[i] > limits_.greatest) continue;
     nodes_.push_back({static_cast<std::uint32_t>(first + i), bounds[i]});
-    ++starts_[bounds[i] + 1U];
+    ++starts_[bucketOf(bounds[i]) + 1];
   }
 }
 
-/// A counting sort: the number of nodes with each bound is known.
+/// A counting sort: the number of nodes in each bucket is known.
 bool PoseSearch::sort(SearchWork& left) {
   if (sorted_.size() != nodes_.size()) {
     for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
@@ -74,7 +74,7 @@ bool PoseSearch::sort(SearchWork& left) {
   for (; placed_ < nodes_.size(); ++placed_) {
     if (left <= 0) return false;
     const Node& node = nodes_[placed_];
-    sorted_[starts_[node.bound]++] = node;
+    sorted_[starts_[bucketOf(node.bound)]++] = node;
     if (placed_ % kSortedPerPose == 0) --left;
   }
   return true;
@@ -83,7 +83,9 @@ bool PoseSearch::sort(SearchWork& left) {
 bool PoseSearch::visit(SearchWork& left) {
   for (; next_ < sorted_.size(); ++next_) {
     const Node& node = sorted_[next_];
-    if (node.bound > best_.limit() || visited_ >= limits_.most_visits) return true;
+    const bool is_bucket_worse = bucketOf(node.bound) > bucketOf(best_.limit());
+    if (is_bucket_worse || visited_ >= limits_.most_visits) return true;
+    if (node.bound > best_.limit()) continue;
     if (left <= 0) return false;
     const std::size_t before = visited_;
     visit(node);
@@ -99,9 +101,9 @@ void PoseSearch::visit(const Node& node) {
   const std::size_t block = node.index / groups;
   const int first = static_cast<int>(node.index % groups) * kHeadingsPerGroup;
   for (int d = first; d < first + kHeadingsPerGroup; ++d) {
+    const RangeTarget target = targets_.of(d);
     const auto sumAt = [&](const std::uint8_t* low, const std::uint8_t* high) {
-      return kSumOfDistances(low, high, targets_.low(d), targets_.high(d), limits_.truncation,
-                             best_.limit());
+      return kSumOfDistances(low, high, target, limits_.truncation, best_.limit());
     };
     ++visited_;
     if (sumAt(blocks.low(block), blocks.high(block)) > best_.limit()) continue;

@@ -22,7 +22,9 @@ struct PoseSearchLimits {
 };
 
 /// A search of GlobalSearch in parts: first the bounds of all blocks and groups of headings, which
-/// are then sorted, and looked into in the order of their bounds.
+/// are then sorted, and looked into in the order of their bounds: roughly, and where bounds are
+/// much the same block after block, which has its ranges in the processor's cache for all of its
+/// headings.
 class PoseSearch {
  public:
   PoseSearch(std::shared_ptr<const RangeTable> table, const DirectionalScan& scan,
@@ -37,11 +39,14 @@ class PoseSearch {
   std::size_t visited() const { return visited_; }
 
  private:
+  static constexpr int kBucket = 64;  // bounds from one multiple of this to the next
+
   struct Node {
     std::uint32_t index;  // block * groups + group
     std::uint16_t bound;  // of the cost of its poses
   };
 
+  static std::size_t bucketOf(int bound) { return static_cast<std::size_t>(bound / kBucket); }
   bool bound(SearchWork& left);
   void keep(std::size_t first_block, const std::vector<std::uint16_t>& bounds);
   bool sort(SearchWork& left);
@@ -54,9 +59,9 @@ class PoseSearch {
   BestPoses best_;
   std::size_t bounded_{0};             // blocks whose bounds are known
   std::vector<Node> nodes_;            // those that can have a pose
-  std::vector<std::uint32_t> starts_;  // of the nodes with each bound, or less, once sorted
+  std::vector<std::uint32_t> starts_;  // of each bucket's nodes, once sorted
   std::size_t placed_{0};              // nodes, among the
-  std::vector<Node> sorted_;           // by their bounds
+  std::vector<Node> sorted_;           // by buckets, and there by blocks
   std::size_t next_{0};                // in that order
   std::size_t visited_{0};
 };

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "ser/range_table.hpp"
-
 #if defined(__x86_64__)
 #include <immintrin.h>
 #elif defined(__aarch64__)
@@ -13,18 +11,18 @@
 
 namespace adaptive_localization {
 
-constexpr int kBytes = static_cast<int>(kRangeStride);
-constexpr int kLine = 64;  // of the cache
-static_assert(kBytes % kLine == 0, "whole lines");
+constexpr int kPart = RangeTarget::kPart;
+static_assert(kRangeStride % (2 * kPart) == 0, "whole parts, an even number of them");
 
-int sumOfDistancesPortable(const std::uint8_t* a_low, const std::uint8_t* a_high,
-                           const std::uint8_t* b_low, const std::uint8_t* b_high, int truncation,
-                           int most) {
+int sumOfDistancesPortable(const std::uint8_t* low, const std::uint8_t* high,
+                           const RangeTarget& target, int truncation, int most) {
   int sum = 0;
-  for (int line = 0; line < kBytes && sum <= most; line += kLine) {
-    for (int i = line; i < line + kLine; ++i) {
-      const int distance = std::max({a_low[i] - b_high[i], b_low[i] - a_high[i], 0});
-      sum += std::min(distance, truncation);
+  for (int k = 0; k < target.count && sum <= most; k += 2) {
+    for (const int part : {target.parts[k], target.parts[k + 1]}) {
+      for (int i = part * kPart; i < (part + 1) * kPart; ++i) {
+        const int distance = std::max({low[i] - target.high[i], target.low[i] - high[i], 0});
+        sum += std::min(distance, truncation);
+      }
     }
   }
   return sum;
@@ -43,23 +41,28 @@ __attribute__((target("avx2"))) inline int total(__m256i sums) {
   return _mm_cvtsi128_si32(half) + _mm_extract_epi32(half, 2);
 }
 
-__attribute__((target("avx2"))) int sumOfDistancesAvx2(const std::uint8_t* a_low,
-                                                       const std::uint8_t* a_high,
-                                                       const std::uint8_t* b_low,
-                                                       const std::uint8_t* b_high, int truncation,
+/// Sums of a part, in four numbers.
+__attribute__((target("avx2"))) inline __m256i sumsOf(int part, const std::uint8_t* low,
+                                                      const std::uint8_t* high,
+                                                      const RangeTarget& target, __m256i greatest) {
+  const int i = part * kPart;
+  // saturating differences: at most one of the two is not 0
+  const __m256i above = _mm256_subs_epu8(load(low + i), load(target.high + i));
+  const __m256i below = _mm256_subs_epu8(load(target.low + i), load(high + i));
+  const __m256i distance = _mm256_min_epu8(_mm256_or_si256(above, below), greatest);
+  return _mm256_sad_epu8(distance, _mm256_setzero_si256());
+}
+
+__attribute__((target("avx2"))) int sumOfDistancesAvx2(const std::uint8_t* low,
+                                                       const std::uint8_t* high,
+                                                       const RangeTarget& target, int truncation,
                                                        int most) {
   const __m256i greatest = _mm256_set1_epi8(static_cast<char>(truncation));
   int sum = 0;
-  for (int line = 0; line < kBytes && sum <= most; line += kLine) {
-    __m256i sums = _mm256_setzero_si256();
-    for (int i = line; i < line + kLine; i += 32) {
-      // saturating differences: at most one of the two is not 0
-      const __m256i above = _mm256_subs_epu8(load(a_low + i), load(b_high + i));
-      const __m256i below = _mm256_subs_epu8(load(b_low + i), load(a_high + i));
-      const __m256i distance = _mm256_min_epu8(_mm256_or_si256(above, below), greatest);
-      sums = _mm256_add_epi64(sums, _mm256_sad_epu8(distance, _mm256_setzero_si256()));
-    }
-    sum += total(sums);
+  for (int k = 0; k < target.count && sum <= most; k += 2) {
+    const __m256i first = sumsOf(target.parts[k], low, high, target, greatest);
+    const __m256i second = sumsOf(target.parts[k + 1], low, high, target, greatest);
+    sum += total(_mm256_add_epi64(first, second));
   }
   return sum;
 }
@@ -72,18 +75,24 @@ RangeKernel fastestSumOfDistances() {
 #elif defined(__aarch64__)
 namespace {
 
-int sumOfDistancesNeon(const std::uint8_t* a_low, const std::uint8_t* a_high,
-                       const std::uint8_t* b_low, const std::uint8_t* b_high, int truncation,
-                       int most) {
+/// Adds to eight sums what 16 bytes tell.
+inline uint16x8_t add(uint16x8_t sums, int i, const std::uint8_t* low, const std::uint8_t* high,
+                      const RangeTarget& target, uint8x16_t greatest) {
+  // saturating differences: at most one of the two is not 0
+  const uint8x16_t above = vqsubq_u8(vld1q_u8(low + i), vld1q_u8(target.high + i));
+  const uint8x16_t below = vqsubq_u8(vld1q_u8(target.low + i), vld1q_u8(high + i));
+  return vpadalq_u8(sums, vminq_u8(vorrq_u8(above, below), greatest));
+}
+
+int sumOfDistancesNeon(const std::uint8_t* low, const std::uint8_t* high, const RangeTarget& target,
+                       int truncation, int most) {
   const uint8x16_t greatest = vdupq_n_u8(static_cast<std::uint8_t>(truncation));
   int sum = 0;
-  for (int line = 0; line < kBytes && sum <= most; line += kLine) {
+  for (int k = 0; k < target.count && sum <= most; k += 2) {
     uint16x8_t sums = vdupq_n_u16(0);
-    for (int i = line; i < line + kLine; i += 16) {
-      // saturating differences: at most one of the two is not 0
-      const uint8x16_t above = vqsubq_u8(vld1q_u8(a_low + i), vld1q_u8(b_high + i));
-      const uint8x16_t below = vqsubq_u8(vld1q_u8(b_low + i), vld1q_u8(a_high + i));
-      sums = vpadalq_u8(sums, vminq_u8(vorrq_u8(above, below), greatest));
+    for (const int part : {target.parts[k], target.parts[k + 1]}) {
+      sums = add(sums, part * kPart, low, high, target, greatest);
+      sums = add(sums, part * kPart + kPart / 2, low, high, target, greatest);
     }
     sum += static_cast<int>(vaddlvq_u16(sums));
   }

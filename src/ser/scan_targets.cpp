@@ -24,7 +24,27 @@ ScanTargets::ScanTargets(const DirectionalScan& scan, int headings)
       low_[i] = static_cast<std::uint8_t>(low);
       high_[i] = static_cast<std::uint8_t>(high);
     }
+    parts_.push_back(partsOf(group));
   }
+}
+
+/// Those that tell something, and one more where their number is odd.
+ScanTargets::Parts ScanTargets::partsOf(int group) const {
+  Parts parts;
+  std::uint8_t idle = 0;
+  for (std::uint8_t part = 0; part < RangeTarget::kParts; ++part) {
+    const std::uint8_t* low = at(low_, group) + part * RangeTarget::kPart;
+    const std::uint8_t* high = at(high_, group) + part * RangeTarget::kPart;
+    bool tells = false;
+    for (int i = 0; i < RangeTarget::kPart; ++i) tells |= low[i] > 0 || high[i] < kNoReturn;
+    if (tells) {
+      parts.numbers[static_cast<std::size_t>(parts.count++)] = part;
+    } else {
+      idle = part;
+    }
+  }
+  if (parts.count % 2 != 0) parts.numbers[static_cast<std::size_t>(parts.count++)] = idle;
+  return parts;
 }
 
 }  // namespace adaptive_localization

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "ser/range_table.hpp"
+#include "range_kernel.hpp"
 #include "ser/scan_energy.hpp"
 
 namespace adaptive_localization {
@@ -18,16 +19,25 @@ class ScanTargets {
   ScanTargets(const DirectionalScan& scan, int headings);
 
   int size() const { return kDirections / headings_; }
-  const std::uint8_t* low(int group) const { return at(low_, group); }
-  const std::uint8_t* high(int group) const { return at(high_, group); }
+  RangeTarget of(int group) const {
+    const Parts& parts = parts_[static_cast<std::size_t>(group)];
+    return {at(low_, group), at(high_, group), parts.numbers.data(), parts.count};
+  }
 
  private:
   static const std::uint8_t* at(const std::vector<std::uint8_t>& ranges, int group) {
     return ranges.data() + static_cast<std::size_t>(group) * kRangeStride;
   }
 
+  struct Parts {
+    std::array<std::uint8_t, RangeTarget::kParts> numbers;
+    int count{0};
+  };
+  Parts partsOf(int group) const;
+
   int headings_;
   std::vector<std::uint8_t> low_, high_;
+  std::vector<Parts> parts_;  // of each group
 };
 
 }  // namespace adaptive_localization

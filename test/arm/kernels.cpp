@@ -78,10 +78,13 @@ bool isSameDistance(Rng& rng) {
     rows[interval][at] = static_cast<std::uint8_t>(low);
     rows[interval + 1][at] = static_cast<std::uint8_t>(high);
   }
+  constexpr std::array<std::uint8_t, RangeTarget::kParts> kParts{4, 0, 5, 2, 1, 3};
+  const int count = 2 * static_cast<int>(rng.below(4));
+  const RangeTarget target{rows[2].data(), rows[3].data(), kParts.data(), count};
   const int truncation = 1 + static_cast<int>(rng.below(255));
   const int most = static_cast<int>(rng.below(20000));
   const auto sumBy = [&](RangeKernel kernel) {
-    return kernel(rows[0].data(), rows[1].data(), rows[2].data(), rows[3].data(), truncation, most);
+    return kernel(rows[0].data(), rows[1].data(), target, truncation, most);
   };
   return sumBy(fastestSumOfDistances()) == sumBy(sumOfDistancesPortable);
 }
