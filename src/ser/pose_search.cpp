@@ -101,7 +101,7 @@ void PoseSearch::visit(const Node& node) {
   const std::size_t block = node.index / groups;
   const int first = static_cast<int>(node.index % groups) * kHeadingsPerGroup;
   for (int d = first; d < first + kHeadingsPerGroup; ++d) {
-    const RangeTarget target = targets_.of(d);
+    const RangeTarget& target = targets_.of(d);
     const auto sumAt = [&](const std::uint8_t* low, const std::uint8_t* high) {
       return kSumOfDistances(low, high, target, limits_.truncation, best_.limit());
     };

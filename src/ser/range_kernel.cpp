@@ -17,9 +17,9 @@ static_assert(kRangeStride % (2 * kPart) == 0, "whole parts, an even number of t
 int sumOfDistancesPortable(const std::uint8_t* low, const std::uint8_t* high,
                            const RangeTarget& target, int truncation, int most) {
   int sum = 0;
-  for (int k = 0; k < target.count && sum <= most; k += 2) {
+  for (std::size_t k = 0; static_cast<int>(k) < target.count && sum <= most; k += 2) {
     for (const int part : {target.parts[k], target.parts[k + 1]}) {
-      for (int i = part * kPart; i < (part + 1) * kPart; ++i) {
+      for (int i = part; i < part + kPart; ++i) {
         const int distance = std::max({low[i] - target.high[i], target.low[i] - high[i], 0});
         sum += std::min(distance, truncation);
       }
@@ -41,11 +41,10 @@ __attribute__((target("avx2"))) inline int total(__m256i sums) {
   return _mm_cvtsi128_si32(half) + _mm_extract_epi32(half, 2);
 }
 
-/// Sums of a part, in four numbers.
-__attribute__((target("avx2"))) inline __m256i sumsOf(int part, const std::uint8_t* low,
+/// Sums of a part that begins at i, in four numbers.
+__attribute__((target("avx2"))) inline __m256i sumsOf(int i, const std::uint8_t* low,
                                                       const std::uint8_t* high,
                                                       const RangeTarget& target, __m256i greatest) {
-  const int i = part * kPart;
   // saturating differences: at most one of the two is not 0
   const __m256i above = _mm256_subs_epu8(load(low + i), load(target.high + i));
   const __m256i below = _mm256_subs_epu8(load(target.low + i), load(high + i));
@@ -59,7 +58,7 @@ __attribute__((target("avx2"))) int sumOfDistancesAvx2(const std::uint8_t* low,
                                                        int most) {
   const __m256i greatest = _mm256_set1_epi8(static_cast<char>(truncation));
   int sum = 0;
-  for (int k = 0; k < target.count && sum <= most; k += 2) {
+  for (std::size_t k = 0; static_cast<int>(k) < target.count && sum <= most; k += 2) {
     const __m256i first = sumsOf(target.parts[k], low, high, target, greatest);
     const __m256i second = sumsOf(target.parts[k + 1], low, high, target, greatest);
     sum += total(_mm256_add_epi64(first, second));
@@ -88,11 +87,11 @@ int sumOfDistancesNeon(const std::uint8_t* low, const std::uint8_t* high, const 
                        int truncation, int most) {
   const uint8x16_t greatest = vdupq_n_u8(static_cast<std::uint8_t>(truncation));
   int sum = 0;
-  for (int k = 0; k < target.count && sum <= most; k += 2) {
+  for (std::size_t k = 0; static_cast<int>(k) < target.count && sum <= most; k += 2) {
     uint16x8_t sums = vdupq_n_u16(0);
     for (const int part : {target.parts[k], target.parts[k + 1]}) {
-      sums = add(sums, part * kPart, low, high, target, greatest);
-      sums = add(sums, part * kPart + kPart / 2, low, high, target, greatest);
+      sums = add(sums, part, low, high, target, greatest);
+      sums = add(sums, part + kPart / 2, low, high, target, greatest);
     }
     sum += static_cast<int>(vaddlvq_u16(sums));
   }

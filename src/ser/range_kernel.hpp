@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "ser/scan_energy.hpp"
@@ -13,10 +14,10 @@ struct RangeTarget {
   static constexpr int kPart = 32;  // bytes
   static constexpr int kParts = static_cast<int>(kRangeStride) / kPart;
 
-  const std::uint8_t* low;
-  const std::uint8_t* high;
-  const std::uint8_t* parts;  // numbers of them
-  int count;                  // even
+  const std::uint8_t* low{nullptr};
+  const std::uint8_t* high{nullptr};
+  std::array<int, kParts> parts{};  // their first bytes
+  int count{0};                     // even
 };
 
 /// Sum over a target's parts of the distance between its intervals and [low, high], at `truncation`

@@ -2,6 +2,7 @@
 #include "scan_targets.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace adaptive_localization {
 
@@ -9,42 +10,46 @@ ScanTargets::ScanTargets(const DirectionalScan& scan, int headings)
     : headings_(headings),
       low_(static_cast<std::size_t>(size()) * kRangeStride, 0),
       high_(static_cast<std::size_t>(size()) * kRangeStride, kNoReturn) {
+  constexpr int kRounds = 3;
+  std::array<std::uint8_t, kRounds * kDirections> low, high;  // of the beams, thrice round
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::int16_t range = scan.range[i % kDirections];
+    low[i] = static_cast<std::uint8_t>(range < 0 ? 0 : range);
+    high[i] = static_cast<std::uint8_t>(range < 0 ? kNoReturn : range);
+  }
+  targets_.reserve(static_cast<std::size_t>(size()));
   for (int group = 0; group < size(); ++group) {
-    for (int d = 0; d < kDirections; ++d) {
-      std::int16_t low = kNoReturn;
-      std::int16_t high = 0;
-      for (int h = 0; h < headings; ++h) {
-        const int beam = (d - group * headings - h + 2 * kDirections) % kDirections;
-        const std::int16_t range = scan.range[static_cast<std::size_t>(beam)];
-        low = std::min<std::int16_t>(low, range < 0 ? std::int16_t{0} : range);
-        high = std::max<std::int16_t>(high, range < 0 ? std::int16_t{kNoReturn} : range);
+    std::uint8_t* group_low = low_.data() + static_cast<std::size_t>(group) * kRangeStride;
+    std::uint8_t* group_high = high_.data() + static_cast<std::size_t>(group) * kRangeStride;
+    for (int h = 0; h < headings; ++h) {
+      const int first = 2 * kDirections - group * headings - h;  // beam of direction 0
+      for (int d = 0; d < kDirections; ++d) {
+        const auto beam = static_cast<std::size_t>(first + d);
+        group_low[d] = h == 0 ? low[beam] : std::min(group_low[d], low[beam]);
+        group_high[d] = h == 0 ? high[beam] : std::max(group_high[d], high[beam]);
       }
-      const std::size_t i =
-          static_cast<std::size_t>(group) * kRangeStride + static_cast<std::size_t>(d);
-      low_[i] = static_cast<std::uint8_t>(low);
-      high_[i] = static_cast<std::uint8_t>(high);
     }
-    parts_.push_back(partsOf(group));
+    targets_.push_back(targetOf(group));
   }
 }
 
-/// Those that tell something, and one more where their number is odd.
-ScanTargets::Parts ScanTargets::partsOf(int group) const {
-  Parts parts;
-  std::uint8_t idle = 0;
-  for (std::uint8_t part = 0; part < RangeTarget::kParts; ++part) {
-    const std::uint8_t* low = at(low_, group) + part * RangeTarget::kPart;
-    const std::uint8_t* high = at(high_, group) + part * RangeTarget::kPart;
+/// Of parts those that tell something, and one more where their number is odd.
+RangeTarget ScanTargets::targetOf(int group) const {
+  RangeTarget target{at(low_, group), at(high_, group)};
+  int idle = 0;
+  for (int first = 0; first < static_cast<int>(kRangeStride); first += RangeTarget::kPart) {
     bool tells = false;
-    for (int i = 0; i < RangeTarget::kPart; ++i) tells |= low[i] > 0 || high[i] < kNoReturn;
+    for (int i = first; i < first + RangeTarget::kPart; ++i) {
+      tells |= target.low[i] > 0 || target.high[i] < kNoReturn;
+    }
     if (tells) {
-      parts.numbers[static_cast<std::size_t>(parts.count++)] = part;
+      target.parts[static_cast<std::size_t>(target.count++)] = first;
     } else {
-      idle = part;
+      idle = first;
     }
   }
-  if (parts.count % 2 != 0) parts.numbers[static_cast<std::size_t>(parts.count++)] = idle;
-  return parts;
+  if (target.count % 2 != 0) target.parts[static_cast<std::size_t>(target.count++)] = idle;
+  return target;
 }
 
 }  // namespace adaptive_localization

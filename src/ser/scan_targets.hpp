@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,27 +16,22 @@ class ScanTargets {
  public:
   /// Groups of `headings` directions each; a divisor of kDirections.
   ScanTargets(const DirectionalScan& scan, int headings);
+  ScanTargets(const ScanTargets&) = delete;
+  ScanTargets& operator=(const ScanTargets&) = delete;
 
   int size() const { return kDirections / headings_; }
-  RangeTarget of(int group) const {
-    const Parts& parts = parts_[static_cast<std::size_t>(group)];
-    return {at(low_, group), at(high_, group), parts.numbers.data(), parts.count};
-  }
+  const RangeTarget& of(int group) const { return targets_[static_cast<std::size_t>(group)]; }
 
  private:
   static const std::uint8_t* at(const std::vector<std::uint8_t>& ranges, int group) {
     return ranges.data() + static_cast<std::size_t>(group) * kRangeStride;
   }
 
-  struct Parts {
-    std::array<std::uint8_t, RangeTarget::kParts> numbers;
-    int count{0};
-  };
-  Parts partsOf(int group) const;
+  RangeTarget targetOf(int group) const;
 
   int headings_;
   std::vector<std::uint8_t> low_, high_;
-  std::vector<Parts> parts_;  // of each group
+  std::vector<RangeTarget> targets_;  // of each group, with ranges of those
 };
 
 }  // namespace adaptive_localization

@@ -78,9 +78,9 @@ bool isSameDistance(Rng& rng) {
     rows[interval][at] = static_cast<std::uint8_t>(low);
     rows[interval + 1][at] = static_cast<std::uint8_t>(high);
   }
-  constexpr std::array<std::uint8_t, RangeTarget::kParts> kParts{4, 0, 5, 2, 1, 3};
+  constexpr std::array<int, RangeTarget::kParts> kParts{128, 0, 160, 64, 32, 96};
   const int count = 2 * static_cast<int>(rng.below(4));
-  const RangeTarget target{rows[2].data(), rows[3].data(), kParts.data(), count};
+  const RangeTarget target{rows[2].data(), rows[3].data(), kParts, count};
   const int truncation = 1 + static_cast<int>(rng.below(255));
   const int most = static_cast<int>(rng.below(20000));
   const auto sumBy = [&](RangeKernel kernel) {

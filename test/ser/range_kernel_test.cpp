@@ -23,10 +23,10 @@ Row randomRow(Rng& rng) {
   return row;
 }
 
-constexpr std::array<std::uint8_t, RangeTarget::kParts> kWhole{0, 1, 2, 3, 4, 5};
+constexpr std::array<int, RangeTarget::kParts> kWhole{0, 32, 64, 96, 128, 160};
 
 RangeTarget targetOf(const Row& low, const Row& high) {
-  return {low.data(), high.data(), kWhole.data(), RangeTarget::kParts};
+  return {low.data(), high.data(), kWhole, RangeTarget::kParts};
 }
 
 /// Intervals between two random rows; as a target all of them, or some parts in any order.
@@ -41,11 +41,11 @@ struct Rows {
 
   RangeTarget someParts(Rng& rng) {
     for (std::size_t i = parts.size(); i-- > 1;) std::swap(parts[i], parts[rng.below(i + 1)]);
-    return {low.data(), high.data(), parts.data(), 2 * static_cast<int>(rng.below(4))};
+    return {low.data(), high.data(), parts, 2 * static_cast<int>(rng.below(4))};
   }
 
   Row low, high;
-  std::array<std::uint8_t, RangeTarget::kParts> parts = kWhole;
+  std::array<int, RangeTarget::kParts> parts = kWhole;
 };
 
 TEST(RangeKernel, IsTheSameWithAndWithoutVectorInstructions) {
@@ -91,7 +91,7 @@ TEST(RangeKernel, SumsTruncatedDistancesOfIntervals) {
   EXPECT_EQ(sum(zero.data(), zero.data(), targetOf(most, most), 255, kAll), 255 * bytes);
   EXPECT_EQ(sum(a.data(), b.data(), targetOf(b, b), 255, kAll), 0);
   EXPECT_EQ(sum(a.data(), a.data(), targetOf(zero, most), 255, kAll), 0);
-  const RangeTarget two{b.data(), b.data(), kWhole.data() + 1, 2};
+  const RangeTarget two{b.data(), b.data(), {160, 64}, 2};
   EXPECT_EQ(sum(a.data(), a.data(), two, 255, kAll), 20 * 2 * RangeTarget::kPart);
 }
 
@@ -117,10 +117,10 @@ TEST(ScanTargets, NameThePartsThatTellAnything) {
     for (const int headings : {1, 3}) {
       const ScanTargets targets(scan, headings);
       for (int group = 0; group < targets.size(); ++group) {
-        const RangeTarget target = targets.of(group);
+        const RangeTarget& target = targets.of(group);
         ASSERT_EQ(target.count % 2, 0);
         ASSERT_LE(target.count, 2 * ((beams + headings) / (2 * RangeTarget::kPart) + 2));
-        const RangeTarget whole{target.low, target.high, kWhole.data(), RangeTarget::kParts};
+        const RangeTarget whole{target.low, target.high, kWhole, RangeTarget::kParts};
         const Row row = randomRow(rng);
         ASSERT_EQ(sum(row.data(), row.data(), target, 255, kAll),
                   sum(row.data(), row.data(), whole, 255, kAll));
