@@ -47,10 +47,10 @@ struct PoseSearchLimits;
 ///
 /// The energies of single directions, as intervals over a block of neighbouring cells and headings,
 /// bound the cost of all poses in the block from below (the triangle inequality that makes the SER
-/// work, per direction). Blocks are opened in the order of their bounds until no bound is below the
-/// best cost plus the margin: the same answer as looking at every pose, for a fraction of the work.
-/// Only where search_max_visits is reached, in a large building that looks alike all over, may some
-/// of the poses within the margin be missing.
+/// work, per direction). Blocks are opened in the order of their bounds, by and large, until no
+/// bound is below the best cost plus the margin: the same answer as looking at every pose, for a
+/// fraction of the work. Only where search_max_visits is reached, in a large building that looks
+/// alike all over, may some of the poses within the margin be missing.
 class GlobalSearch {
  public:
   GlobalSearch(std::shared_ptr<const EnergyGrid> grid, std::shared_ptr<const OccupancyGrid> map,
