@@ -29,7 +29,7 @@ void forEachPart(Eigen::Index count, const Body& body) {
               });
 }
 
-/// The sum of body(first, size) over all parts, in their order; Sum{} is nothing.
+/// The sum of body(first, size) over all parts, in their order; body(0, 0) if there are no numbers.
 template <class Sum, class Body>
 Sum sumOverParts(Eigen::Index count, const Body& body) {
   if (count <= kShort) return body(Eigen::Index{0}, count);

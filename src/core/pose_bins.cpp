@@ -53,7 +53,8 @@ int PoseBins::addBin(const PoseBin& bin) {
   return number;
 }
 
-/// Parts have bins of their own first.
+/// Parts of a long cloud are put into bins of their own, side by side, which are then numbered in
+/// the order of the parts: as if the particles had come one by one.
 std::vector<int> PoseBins::addAll(const Particles& particles) {
   std::vector<int> numbers(static_cast<std::size_t>(particles.size()));
   if (particles.size() <= kShort) {
@@ -70,7 +71,7 @@ std::vector<int> PoseBins::addAll(const Particles& particles) {
       numbers[static_cast<std::size_t>(i)] = bins.add(particles.pose(i));
     }
   });
-  std::vector<std::vector<int>> here(own.size());  // numbers of theirs
+  std::vector<std::vector<int>> here(own.size());  // for each part, its numbers' here
   for (std::size_t part = 0; part < own.size(); ++part) {
     for (const PoseBin& bin : own[part].bins_) here[part].push_back(addBin(bin));
   }

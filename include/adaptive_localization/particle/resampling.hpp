@@ -17,7 +17,7 @@ namespace adaptive_localization {
 /// number) become uniform.
 Eigen::ArrayXd normalisedWeights(const Eigen::ArrayXd& log_weight);
 
-/// Their logarithms.
+/// Logarithms of weights: minus infinity where one is zero.
 Eigen::ArrayXd logOf(const Eigen::ArrayXd& weights);
 
 /// Effective number of particles, 1 / sum w^2, of normalised weights (Kong, Liu, Wong 1994).
