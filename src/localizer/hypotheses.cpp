@@ -51,10 +51,12 @@ void Hypotheses::add(const Pose2& T_map_base, double log_odds, const Eigen::Matr
 void Hypotheses::addFound(const std::vector<Place>& places, double log_odds,
                           const Eigen::Matrix3d& covariance, bool are_aligned) {
   left_out_.reset();
+  left_out_count_ = 0;
   for (const Place& place : places) {
     const auto known = placeAt(all_, place.T_map_base);
     if (known == all_.end() && all_.size() == kMostPlaces) {
       left_out_ = log_odds;
+      ++left_out_count_;
     } else if (known == all_.end()) {
       add(place.T_map_base, log_odds, covariance);
       if (are_aligned && !all_.empty()) all_.back().aligned = place;
@@ -79,8 +81,10 @@ double Hypotheses::refuted() const {
   return most;
 }
 
-bool Hypotheses::lackSome() const {
-  return left_out_ && *left_out_ >= bestBesidesWord() - kMargin;
+bool Hypotheses::lackSome(Against against) const {
+  if (!left_out_) return false;
+  const double all = *left_out_ + (against == Against::kTogether ? std::log(left_out_count_) : 0.0);
+  return all >= bestBesidesWord() - kMargin;
 }
 
 bool Hypotheses::waitForSome() const {
@@ -155,18 +159,19 @@ void Hypotheses::note(const Pose2& T_map_core) {
 
 /// A place that is spared does not rule out what explains the scan, nor one that fits badly where
 /// the wheels can have slipped to.
-void Hypotheses::prune() {
+void Hypotheses::prune(Against against) {
   std::stable_sort(all_.begin(), all_.end(), [](const Hypothesis& a, const Hypothesis& b) {
     return a.log_odds > b.log_odds;
   });
-  const double best = bestBesidesWord();
+  const std::size_t first_unlikely = firstUnlikely(against);
   const bool is_disputed = std::any_of(
       all_.begin(), all_.end(), [](const Hypothesis& hypothesis) { return hypothesis.is_spared; });
   const double far_better = all_.empty() ? 0.0 : kFarBetter * all_.front().error;
   std::vector<Hypothesis> before;
   before.swap(all_);
-  for (const Hypothesis& hypothesis : before) {
-    const bool is_likely = hypothesis.log_odds >= best - kMargin;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Hypothesis& hypothesis = before[i];
+    const bool is_likely = i < first_unlikely;
     const bool is_slip = hypothesis.has_slipped && hypothesis.error < far_better;
     const bool is_left = is_likely || is_slip || (is_disputed && hypothesis.is_explained);
     const auto same = placeAt(all_, hypothesis.T_map_base);
@@ -189,10 +194,11 @@ bool Hypotheses::isOutdone(const Pose2& T_map_core) const {
          tolerated(best.error) < core->error;
 }
 
-bool Hypotheses::looksLikeAnother(const Pose2& T_map_base) const {
-  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+int Hypotheses::alike(const Pose2& T_map_base) const {
+  const auto count = std::count_if(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
     return hypothesis.is_explained && !areSamePlace(hypothesis.T_map_base, T_map_base);
   });
+  return static_cast<int>(count);
 }
 
 std::vector<Mode> Hypotheses::modes() const {

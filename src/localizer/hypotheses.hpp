@@ -49,6 +49,11 @@ class PlaceRefiner;
 /// here and there, fewer are judged.
 class Hypotheses {
  public:
+  /// What the likeliest place is compared with to rule others out: with each of them, so that a
+  /// place that was known is kept, however many look like it; or with all of them together, as a
+  /// hundred places, each of them unlikely, may be likely as a whole.
+  enum class Against { kEach, kTogether };
+
   /// An error that tells no more than another one, m.
   static double withTolerance(double error) { return 1.25 * error + 0.015; }
 
@@ -96,7 +101,7 @@ class Hypotheses {
 
   /// Whether the last search found places for which there was no room, and which those that are
   /// left do not rule out.
-  bool lackSome() const;
+  bool lackSome(Against against = Against::kEach) const;
 
   /// Whether some were not judged by any scan yet.
   bool waitForSome() const;
@@ -161,11 +166,11 @@ class Hypotheses {
   /// scan each is corrected by the other senses, as a Kalman filter is, and they alone are judges.
   void weigh(const Observations& observations, const News& news, double usual);
 
-  /// Whether the last scan fits another place about as well as the best.
-  bool looksLikeAnother(const Pose2& T_map_base) const;
+  /// How many other places the last scan fits about as well as the best.
+  int alike(const Pose2& T_map_base) const;
 
   /// Leaves out those that became one with a likelier one, and those too unlikely.
-  void prune();
+  void prune(Against against = Against::kEach);
 
   /// The kept place if it was left out: where it was at first, and odometry since then.
   std::optional<Pose2> ruledOut() const {
@@ -188,6 +193,8 @@ class Hypotheses {
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
   static constexpr double kFarBetter = 0.5;  // of the error
 
+  /// The number of places that are not too unlikely.
+  std::size_t firstUnlikely(Against against) const;
   PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
@@ -222,7 +229,8 @@ class Hypotheses {
   std::vector<Hypothesis> led_to_;  // by the last alignment: places of their own
   Pose2 T_map_kept_;
   bool is_kept_ruled_out_{false};
-  std::optional<double> left_out_;  // log odds of places for which there was no room
+  std::optional<double> left_out_;  // log odds of places for which there was no room,
+  int left_out_count_{0};           // each of so many
 };
 
 /// The first of the modes that is the same place as a pose; null if there is none.

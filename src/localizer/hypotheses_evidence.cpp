@@ -62,6 +62,19 @@ bool Hypotheses::hasLeader() const {
   return best - second > kMargin;
 }
 
+/// Of places that are sorted, likeliest first.
+std::size_t Hypotheses::firstUnlikely(Against against) const {
+  const double best = bestBesidesWord(), most = std::exp(-kMargin);
+  double mass = 0.0;
+  std::size_t first = all_.size();
+  for (; first > 0; --first) {
+    const double share = std::exp(all_[first - 1].log_odds - best);
+    mass = against == Against::kTogether ? mass + share : share;
+    if (mass >= most) break;
+  }
+  return first;
+}
+
 /// Those that the scan judges; share is how much of it is new. What a search aligned with it costs
 /// no more time.
 void Hypotheses::choose(double share) {

@@ -120,6 +120,11 @@ class Recovery {
   /// Scans alone told the place, and tracking has not earned enough since then.
   bool isNew() const { return proof_.isByScans() && !odds_.isKept(); }
 
+  /// How many places look like a new one counts; a place that was known is kept.
+  Hypotheses::Against against() const {
+    return isNew() ? Hypotheses::Against::kTogether : Hypotheses::Against::kEach;
+  }
+
   /// A new place that was one of so many that the true one may not have been among them.
   bool isOneOfMany() const { return were_many_ && isNew(); }
   bool isAsUsual(double error) const { return error <= Hypotheses::withTolerance(usual_.value()); }
@@ -138,6 +143,7 @@ class Recovery {
   bool isAnswered(const Observations& observations) const;
   bool isCheckDue(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
+  bool isSudden(const Pose2& T_map_base, const Scan& scan, double error) const;
   bool hasSlid(const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;
   void findNothingBetter(double error);
@@ -187,7 +193,7 @@ class Recovery {
   bool was_searched_{false};   // or one before
   bool explained_{false};      // some place explains the last scan
   bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
-  bool is_alike_{false};     // scans of this race fit others than the core's as well,
+  int alike_{0};             // of this race, so many others than the core's fitted a scan as well
   bool are_many_{false};     // there were many to choose from,
   bool were_many_{false};    // or in the last race
   int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,

@@ -32,7 +32,7 @@ void Recovery::findNothingBetter(double error) {
 bool Recovery::isEarned(double error) const {
   constexpr double kWell = 0.1;  // m, of a scan that tells of its place, whatever was before
   const bool is_moot = in_doubt_ || (were_many_ && !isAsUsual(error));
-  if (is_settled_ && isNew() && is_moot) return false;
+  if (is_settled_ && (proof_.isSuspect() || (isNew() && is_moot))) return false;
   const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
   return is_tracked || (is_settled_ && error < kWell);
 }

@@ -63,7 +63,7 @@ void Recovery::openDoubted(const Observations& observations) {
   hypotheses_.addAligned(asked->places, 0.0);
   const double share = std::max(1, misfits_) / (waited_ + 1.0);
   hypotheses_.weigh(withoutCover(asked->observations), {share, share}, usual_.value());
-  hypotheses_.prune();
+  hypotheses_.prune(against());
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
   hypotheses_.moveKept(T_map_now);
@@ -73,7 +73,8 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  was_searched_ = searched_ = explained_ = has_left_ = is_alike_ = are_many_ = false;
+  was_searched_ = searched_ = explained_ = has_left_ = are_many_ = false;
+  alike_ = 0;
   in_doubt_.reset();
   left_way_ = 0.0;
   contradictions_ = 0;
@@ -93,8 +94,8 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
   const News news = novelty_.news(observations.scan.view.width);
   hypotheses_.weigh(observations, news, usual_.value());
-  is_alike_ = is_alike_ || hypotheses_.looksLikeAnother(T_map_base);
-  hypotheses_.prune();
+  alike_ = std::max(alike_, hypotheses_.alike(T_map_base));
+  hypotheses_.prune(against());
   novelty_.count();
   modes_ = hypotheses_.modes();
   are_many_ = are_many_ || modes_.size() >= kMany;
@@ -111,13 +112,14 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
                       areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   const bool were_all_compared =
-      !hypotheses_.lackSome() && !pace_.wasBlind(hypotheses_.leastError());
+      !hypotheses_.lackSome(against()) && !pace_.wasBlind(hypotheses_.leastError());
+  if (!were_all_compared && isNew()) pace_.insist();
   if (!were_all_compared) return search(observations);
   if (hypotheses_.ruledOut()) {
     leaveOdds();
     proof_.demand();
   }
-  if (!is_alike_) proof_.trust();
+  if (odds_.ruleOut(alike_)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = are_many_ || isOneOfMany();
   settle();

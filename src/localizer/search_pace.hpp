@@ -25,6 +25,7 @@ class SearchPace {
     scans_left_ = 0;
     way_ = 0.0;
     error_ = RangeError::kTruncation;
+    must_search_ = false;
   }
 
   /// Metres, or radians.
@@ -46,8 +47,14 @@ class SearchPace {
   bool isDue(bool has_places) { return has_places ? way_ > kWay : --scans_left_ < 0; }
 
   /// Places were looked for by scans that fitted none well; the last scan fits far better, with
-  /// this error, and more places than those that were found may look like it.
-  bool wasBlind(double error) const { return error_ > kWell && error < kFarBetter * error_; }
+  /// this error, and more places than those that were found may look like it. Or such a scan made
+  /// another search necessary, which has no answer yet.
+  bool wasBlind(double error) const {
+    return must_search_ || (error_ > kWell && error < kFarBetter * error_);
+  }
+
+  /// What was found so far is not enough, whatever scans come until the next search is done.
+  void insist() { must_search_ = true; }
 
   /// A place that was known before fits the scan that was searched for, with this error, m.
   void explain(double error) { error_ = std::min(error_, error); }
@@ -62,6 +69,7 @@ class SearchPace {
     scans_left_ = pause_;
     way_ = 0.0;
     error_ = std::min(error_, error);
+    must_search_ = false;
   }
 
  private:
@@ -75,6 +83,7 @@ class SearchPace {
   double way_{0.0};
   double error_without_better_{RangeError::kTruncation};
   double error_{RangeError::kTruncation};  // of the best place found since a scan fitted none, m
+  bool must_search_{false};
 };
 
 }  // namespace adaptive_localization

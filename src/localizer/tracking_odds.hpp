@@ -40,6 +40,12 @@ class TrackingOdds {
   /// No more is known of the place than a search for it would tell.
   bool areSpent() const { return value_ <= kFound; }
 
+  /// Whether they rule out that the robot was carried to one of so many places that look alike, by
+  /// a scan that suddenly fitted far worse.
+  bool ruleOut(int alike) const {
+    return alike == 0 || value_ - kSudden > kMargin + std::log(alike);
+  }
+
   void seeNothing() { value_ *= 0.9; }
 
   /// Down to what a search for the place would tell.
@@ -66,6 +72,7 @@ class TrackingOdds {
  private:
   static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
   static constexpr double kCarried = 10.0;  // two scans of 31 000 did otherwise
+  static constexpr double kSudden = 9.0, kMargin = 6.0;
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};

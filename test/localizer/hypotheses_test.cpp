@@ -388,6 +388,32 @@ TEST(Hypotheses, LackPlacesThatHadNoRoomUnlessOneIsLikelierByFar) {
   EXPECT_TRUE(kept.lackSome());
 }
 
+TEST(Hypotheses, ManyUnlikelyPlacesAreNoneOfThemRuledOutTogether) {
+  constexpr auto kTogether = Hypotheses::Against::kTogether;
+  for (const int others : {1, 99}) {  // 7.5 - log(99) is less than the margin, 6
+    Hypotheses each(asymmetricWorld()), together(asymmetricWorld());
+    for (Hypotheses* hypotheses : {&each, &together}) {
+      hypotheses->add(kTruth, 7.5);
+      hypotheses->addFound(placesOfGrid(others), 0.0);
+    }
+    each.prune();
+    EXPECT_EQ(each.modes().size(), 1U);
+    together.prune(kTogether);
+    EXPECT_EQ(together.modes().size(), others == 1 ? 1U : 96U)
+        << "but four, which weigh too little";
+  }
+}
+
+TEST(Hypotheses, PlacesThatHadNoRoomCountTogether) {
+  Hypotheses kept(asymmetricWorld());
+  kept.add(kTruth, 7.5);
+  for (const int left_out : {1, 20}) {
+    kept.addFound(placesOfGrid(99 + left_out), 0.0);
+    EXPECT_FALSE(kept.lackSome());
+    EXPECT_EQ(kept.lackSome(Hypotheses::Against::kTogether), left_out == 20);
+  }
+}
+
 TEST(Hypotheses, WordDoesNotMakeUpForPlacesThatHadNoRoom) {
   Hypotheses told(asymmetricWorld());
   told.addKept(kTruth, TrackingOdds(true));
@@ -740,7 +766,7 @@ TEST(Hypotheses, ACoreIsOutdoneByAPlaceThatIsLikelierAndFitsFarBetter) {
   EXPECT_FALSE(twins.isOutdone(twin));
 }
 
-TEST(Hypotheses, TellWhetherAnotherPlaceLooksTheSame) {
+TEST(Hypotheses, TellHowManyOtherPlacesLookTheSame) {
   const Pose2 truth{1.0, 1.0, 0.0}, twin{5.0, 2.0, kPi};
   const Observations seen = ToyLaser{91, -kPi / 2, kPi / 2, 12.0}.observe(symmetricWorld(), truth);
   for (const Pose2& other : {twin, Pose2{4.0, 1.0, 1.0}}) {
@@ -748,7 +774,7 @@ TEST(Hypotheses, TellWhetherAnotherPlaceLooksTheSame) {
     hypotheses.add(truth, 0.0);
     hypotheses.add(other, 0.0);
     hypotheses.weigh(seen, News{}, kUsual);
-    EXPECT_EQ(hypotheses.looksLikeAnother(truth), areSamePlace(other, twin));
+    EXPECT_EQ(hypotheses.alike(truth), areSamePlace(other, twin) ? 1 : 0);
   }
 }
 

@@ -64,4 +64,18 @@ TEST(SearchPace, KnowsThatAScanWhichFittedNowhereFoundNotAll) {
   EXPECT_TRUE(pace.wasBlind(0.05));
 }
 
+TEST(SearchPace, InsistsOnASearchUntilItIsDone) {
+  SearchPace pace;
+  pace.begin();
+  pace.searched(true, 0.14);
+  EXPECT_FALSE(pace.wasBlind(0.1));
+  pace.insist();
+  EXPECT_TRUE(pace.wasBlind(0.1)) << "whatever scan comes";
+  pace.searched(true, 0.14);
+  EXPECT_FALSE(pace.wasBlind(0.1));
+  pace.insist();
+  pace.begin();
+  EXPECT_FALSE(pace.wasBlind(0.3));
+}
+
 }  // namespace adaptive_localization

@@ -87,4 +87,14 @@ TEST(TrackingOdds, AreSpentByTheWayOfALostRobot) {
   EXPECT_DOUBLE_EQ(odds.value(), less);
 }
 
+TEST(TrackingOdds, RuleOutPlacesThatLookAlikeByWhatIsEarnedAndByTheirNumber) {
+  TrackingOdds odds(true);
+  EXPECT_TRUE(odds.ruleOut(0));
+  EXPECT_FALSE(odds.ruleOut(1));
+  for (int i = 0; i < 100; ++i) odds.earn({0.1, 0.0, 0.0});
+  EXPECT_TRUE(odds.ruleOut(1));
+  EXPECT_TRUE(odds.ruleOut(20));
+  EXPECT_FALSE(odds.ruleOut(21));
+}
+
 }  // namespace adaptive_localization
