@@ -983,7 +983,7 @@ TEST(Recovery, APlaceIsSuspectAfterAScanThatSuddenlyFitsFarWorse) {
   }
 }
 
-/// A place is left for one that only the last scan fits: what it was searched for by was another.
+/// Places that were found before it was carried can only fit by chance.
 TEST(Recovery, ALostRobotThatIsCarriedStartsAnew) {
   Watched watched(asymmetricWorld());
   const Pose2 here{2.0, 3.0, -0.5}, there{8.0, 1.0, 2.0}, elsewhere{5.0, 1.5, 0.3};
