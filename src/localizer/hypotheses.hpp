@@ -189,7 +189,7 @@ class Hypotheses {
 
  private:
   static constexpr std::size_t kMostPlaces = 100;
-  static constexpr double kMargin = 6.0;    // log odds below the best at which a place is ruled out
+  static constexpr double kMargin = TrackingOdds::kMargin;
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
   static constexpr double kFarBetter = 0.5;  // of the error
 

@@ -14,6 +14,8 @@ namespace adaptive_localization {
 /// and odometry that jumps takes all.
 class TrackingOdds {
  public:
+  static constexpr double kMargin = 6.0;  // below the likeliest place, at which one is ruled out
+
   TrackingOdds() = default;
   explicit TrackingOdds(bool is_given)
       : value_(is_given ? kInitial : kFound), word_(is_given ? kInitial : 0.0) {}
@@ -72,7 +74,7 @@ class TrackingOdds {
  private:
   static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
   static constexpr double kCarried = 10.0;  // two scans of 31 000 did otherwise
-  static constexpr double kSudden = 9.0, kMargin = 6.0;
+  static constexpr double kSudden = 9.0;    // of a tracked robot, five scans of 6500 did otherwise
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;
 
   double value_{kFound};

@@ -928,6 +928,16 @@ TEST(Recovery, PlacesOfAnotherMapJoinTheRace) {
   }
 }
 
+/// Where it is after it was told and tracked for some metres; from then on no search gets on.
+Pose2 trackedWithoutSearches(Watched& watched) {
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.see(truth, truth);
+  watched.track(truth, 3.0);
+  watched.places().beginUpdate({}, 1);
+  return truth;
+}
+
 /// Where scans do not fit and the core's place then moves by more than odometry can be off, the
 /// robot may have been carried to a place that looks alike, unless a search finds none.
 TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
@@ -935,11 +945,7 @@ TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
   for (const bool slides : {true, false}) {
     SCOPED_TRACE(slides ? "slides" : "stays");
     Watched watched(asymmetricWorld());
-    Pose2 truth{1.0, 1.0, 0.0};
-    watched.tell(truth);
-    watched.see(truth, truth);
-    watched.track(truth, 3.0);
-    watched.places().beginUpdate({}, 1);  // too little to search with
+    Pose2 truth = trackedWithoutSearches(watched);
     for (int i = 0; i < 2; ++i) {
       watched.observe(withBystanders(watched.laser.observe(watched.map, truth), 3), truth);
       ASSERT_EQ(watched.recovery.status(), Status::kTracking);
@@ -962,11 +968,7 @@ TEST(Recovery, APlaceIsSuspectAfterAScanThatSuddenlyFitsFarWorse) {
   for (const bool is_sudden : {true, false}) {
     SCOPED_TRACE(is_sudden ? "sudden" : "bystanders");
     Watched watched(asymmetricWorld());
-    Pose2 truth{1.0, 1.0, 0.0};
-    watched.tell(truth);
-    watched.see(truth, truth);
-    watched.track(truth, 3.0);
-    watched.places().beginUpdate({}, 1);  // too little to search with
+    Pose2 truth = trackedWithoutSearches(watched);
     const Observations seen = watched.laser.observe(watched.map, truth);
     is_sudden ? watched.see({8.0, 1.0, 2.0}, truth)
               : watched.observe(withBystanders(seen, 3), truth);
