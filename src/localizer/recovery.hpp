@@ -102,6 +102,7 @@ class Recovery {
 
  private:
   static constexpr int kContradictions = 2;  // scans in a row
+  static constexpr std::size_t kMany = 10;   // places to choose from
   static constexpr double kExplained = 0.2;  // m, mean range error of a scan that a place explains
   static constexpr double kFoundFit = 0.5;   // above: a scan confirms
   static constexpr double kUnproven = 0.5;   // belief, at the most
@@ -115,6 +116,7 @@ class Recovery {
   void openDoubted(const Observations& observations);
   void settle();
   void learn(double error);
+  void learnUsual(double error);
   bool isEarned(double error) const;
 
   /// Scans alone told the place, and tracking has not earned enough since then.
@@ -148,7 +150,10 @@ class Recovery {
   bool isDoubtful(double error, bool is_seen) const;
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
+  /// There are many places to choose from in this race.
+  bool areMany() const { return most_ >= kMany; }
   void race(const Pose2& T_map_base, double error, const Observations& observations);
+  bool searchOn(const Observations& observations);
   void leaveOdds();
   void search(const Observations& observations);
   void updateStatus();
@@ -194,8 +199,8 @@ class Recovery {
   bool explained_{false};      // some place explains the last scan
   bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
   int alike_{0};             // of this race, so many others than the core's fitted a scan as well
-  bool are_many_{false};     // there were many to choose from,
-  bool were_many_{false};    // or in the last race
+  std::size_t most_{0};      // to choose from at a time,
+  bool were_many_{false};    // and they were many in the last race
   int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};             // or hardly at all
   int blind_{0};             // scans in a row that told nothing

@@ -7,15 +7,19 @@
 
 namespace adaptive_localization {
 
-/// What is usual is learned where the robot is known to be. In a race for a robot that is not, the
-/// likeliest place tells.
+/// What is usual is learned where the robot is known to be, or was told to be. In a race for a
+/// robot that is not, the likeliest place tells.
 void Recovery::learn(double error) {
   if (!is_settled_) {
     const double most = isNew() ? hypotheses_.likeliestError() : hypotheses_.mostTolerated();
-    usual_.observe(std::min(error, most));
+    learnUsual(std::min(error, most));
   } else if (status_ == Status::kTracking || status_ == Status::kAmbiguous) {  // not while lost
-    if (!isOneOfMany() || isAsUsual(error)) usual_.observe(error);
+    if (!isOneOfMany() || isAsUsual(error)) learnUsual(error);
   }
+}
+
+void Recovery::learnUsual(double error) {
+  isNew() ? usual_.observeUnknown(error) : usual_.observe(error);
 }
 
 /// The scan is as usual as it is unexplained, and so are those that came while others were searched
@@ -23,7 +27,7 @@ void Recovery::learn(double error) {
 void Recovery::findNothingBetter(double error) {
   const bool is_tracked = status_ == Status::kTracking;
   const int scans = is_tracked ? std::min(unexplained_, waited_ + 1) : 1;
-  for (int i = 0; i < scans; ++i) usual_.observe(error);
+  for (int i = 0; i < scans; ++i) learnUsual(error);
   pace_.findNothingBetter(error);
 }
 

@@ -10,7 +10,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kLateMalus = 3.0, kCoreMalus = 5.5;  // of places that come late, of the core's
-constexpr std::size_t kMany = 10;                     // places to choose from
 constexpr double kBesideWorth = 0.5;  // of a scan against a core a step beside its place
 
 /// How far off is what sightings of landmarks explain.
@@ -73,7 +72,8 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
-  was_searched_ = searched_ = explained_ = has_left_ = are_many_ = false;
+  was_searched_ = searched_ = explained_ = has_left_ = false;
+  most_ = 0;
   alike_ = 0;
   in_doubt_.reset();
   left_way_ = 0.0;
@@ -98,7 +98,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   hypotheses_.prune(against());
   novelty_.count();
   modes_ = hypotheses_.modes();
-  are_many_ = are_many_ || modes_.size() >= kMany;
+  most_ = std::max(most_, modes_.size());
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   if (!explained_) pace_.miss(hypotheses_.leastError());
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
@@ -111,21 +111,31 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   const bool is_one = modes_.size() == 1 && !hypotheses_.waitForSome() &&
                       areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
-  const bool were_all_compared =
-      !hypotheses_.lackSome(against()) && !pace_.wasBlind(hypotheses_.leastError());
-  if (!were_all_compared && isNew()) pace_.insist();
-  if (!were_all_compared) return search(observations);
+  if (searchOn(observations)) return;
   if (hypotheses_.ruledOut()) {
     leaveOdds();
     proof_.demand();
   }
   if (odds_.ruleOut(alike_)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
-  were_many_ = are_many_ || isOneOfMany();
+  were_many_ = areMany() || isOneOfMany();
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
+}
+
+/// One place is left. Whether the true one may not be among those that were found: then the map is
+/// searched again. So it is by other views, if a new place was one of several and fits no scan as
+/// is usual, or one of many.
+bool Recovery::searchOn(const Observations& observations) {
+  const bool is_lacking =
+      hypotheses_.lackSome(against()) || pace_.wasBlind(hypotheses_.leastError());
+  const double as_usual = areMany() ? 0.0 : Hypotheses::withTolerance(usual_.value());
+  const bool is_unsure = isNew() && most_ > 1 && pace_.isUnsure(as_usual);
+  if (is_lacking && isNew()) pace_.insist();
+  if (is_lacking || (is_unsure && pace_.seesElse())) search(observations);
+  return is_lacking || is_unsure;
 }
 
 /// They were of a place that is ruled out. If the wheels slipped from there, all others are as

@@ -26,6 +26,7 @@ class SearchPace {
     way_ = 0.0;
     error_ = RangeError::kTruncation;
     must_search_ = false;
+    searches_ = 0;
   }
 
   /// Metres, or radians.
@@ -53,6 +54,14 @@ class SearchPace {
     return must_search_ || (error_ > kWell && error < kFarBetter * error_);
   }
 
+  /// Whether too few searches were made to know all places, none of which fitted its scan as is
+  /// usual, with an error of no more than this, m: where the map is off, the true place fits worse
+  /// than another, and is not found.
+  bool isUnsure(double usual) const { return searches_ < kEnough && error_ > usual; }
+
+  /// Whether the last search was for another view than this.
+  bool seesElse() const { return way_ > kOtherView; }
+
   /// What was found so far is not enough, whatever scans come until the next search is done.
   void insist() { must_search_ = true; }
 
@@ -70,16 +79,18 @@ class SearchPace {
     way_ = 0.0;
     error_ = std::min(error_, error);
     must_search_ = false;
+    ++searches_;
   }
 
  private:
-  static constexpr double kWay = 1.0;
+  static constexpr double kWay = 1.0, kOtherView = 0.5;   // m or rad
   static constexpr double kWell = 0.1, kFarBetter = 0.5;  // m, of the error
   static constexpr double kFarWorse = 1.5;
-  static constexpr int kLongestPause = 8;
+  static constexpr int kLongestPause = 8, kEnough = 3;
 
   int pause_{0};
   int scans_left_{0};
+  int searches_{0};  // in this race
   double way_{0.0};
   double error_without_better_{RangeError::kTruncation};
   double error_{RangeError::kTruncation};  // of the best place found since a scan fitted none, m

@@ -14,12 +14,17 @@ class UsualError {
  public:
   /// Starts from what the map lets expect, m: MapQuality::rangeError().
   explicit UsualError(double value = 0.05)
-      : value_(value), most_(std::clamp(3.0 * value, kMost, kMostOfAll)) {}
+      : value_(value), known_(value), most_(std::clamp(3.0 * value, kMost, kMostOfAll)) {}
 
+  /// Where the robot is known to be.
   void observe(double error) {
-    value_ +=
-        error < value_ ? 0.05 * (error - value_) : 0.02 * (std::min(error, 2.0 * value_) - value_);
+    follow(error);
+    known_ = value_;
   }
+
+  /// At a place that may be another one: there it rises to no more than it was where the place was
+  /// known, or than the map lets expect. Else scans of a wrong place would soon be usual.
+  void observeUnknown(double error) { follow(std::min(error, std::max(value_, known_))); }
 
   double value() const { return value_; }  // m
 
@@ -30,8 +35,14 @@ class UsualError {
   static constexpr double kLeast = 0.1, kMost = 0.3;  // m, whatever is usual
   static constexpr double kMostOfAll = 0.9 * RangeError::kTruncation;
 
+  void follow(double error) {
+    value_ +=
+        error < value_ ? 0.05 * (error - value_) : 0.02 * (std::min(error, 2.0 * value_) - value_);
+  }
+
   double value_;
-  double most_;  // m, three times what the map lets expect, within [kMost, kMostOfAll]
+  double known_;  // m, where the place was known last
+  double most_;   // m, three times what the map lets expect, within [kMost, kMostOfAll]
 };
 
 }  // namespace adaptive_localization

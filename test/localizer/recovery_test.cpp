@@ -70,11 +70,11 @@ struct Watched {
   Pose2 believed;
 };
 
-/// Share of the hits that are where nothing is.
-Observations withBystanders(Observations seen, int one_in) {
+/// Share of the hits that are where nothing is, or, of a factor above 1, behind walls.
+Observations withBystanders(Observations seen, int one_in, float factor = 0.5F) {
   for (Eigen::Index i = 0; i < seen.scan.range.size(); i += one_in) {
     for (Eigen::ArrayXf* lengths : {&seen.scan.x, &seen.scan.y, &seen.scan.range}) {
-      (*lengths)[i] *= 0.5F;
+      (*lengths)[i] *= factor;
     }
   }
   return seen;
@@ -805,6 +805,49 @@ TEST(Recovery, OneOfManyPlacesIsKnownOnceScansFitThereAsTheyUsuallyDo) {
   EXPECT_EQ(see(8, motion), Status::kTracking);
 }
 
+/// symmetricWorld() but for one corner.
+std::shared_ptr<const OccupancyGrid> almostSymmetricWorld() {
+  return hollow(*toyWorld({"############",  //
+                           "#..#.......#",  //
+                           "#..#.......#",  //
+                           "##......#..#",  //
+                           "##......#..#",  //
+                           "############"},
+                          0.05, {}, 10));
+}
+
+/// Of a robot that turns until it sees that corner: radians from where no other place is left to
+/// where it is tracked. One in so many beams hits a bystander.
+double turnUntilTracked(int one_in) {
+  constexpr double kStep = 0.1;
+  Watched watched(almostSymmetricWorld());
+  Pose2 truth{2.3, 1.0, 1.2};
+  watched.recovery.reset(Anywhere{});
+  watched.believed = truth;
+  double alone = 0.0;
+  for (double turned = 0.0; turned < 6.0; turned += kStep) {
+    const Pose2 motion{0.0, 0.0, turned > 0.0 ? kStep : 0.0};
+    truth = truth * motion;
+    const Observations seen = watched.laser.observe(watched.map, truth);
+    watched.observe(one_in > 0 ? withBystanders(seen, one_in) : seen, truth, motion);
+    if (turned == 0.0) {
+      EXPECT_EQ(watched.recovery.modes().size(), 2U);
+    }
+    if (watched.recovery.status() == Status::kTracking) return alone;
+    alone += watched.recovery.modes().size() == 1 ? kStep : 0.0;
+  }
+  return kPi;
+}
+
+/// Where people stand, or the map is off, the true place may fit worse than another, and not be
+/// found.
+TEST(Recovery, OneOfSeveralThatFitsWorseThanIsUsualIsKnownOnlyAfterOtherViews) {
+  EXPECT_EQ(turnUntilTracked(0), 0.0);
+  const double turned = turnUntilTracked(6);
+  EXPECT_GT(turned, 0.4);
+  EXPECT_LT(turned, 2.0);
+}
+
 /// A hall of 24 m by 4 m with a block in it, whose walls are now 0.25, now 0.65 m thick.
 std::shared_ptr<const OccupancyGrid> roughWorld() {
   constexpr int kColumns = 480, kRows = 100, kEnd = 10, kBay = 16;  // cells
@@ -982,6 +1025,30 @@ TEST(Recovery, APlaceIsSuspectAfterAScanThatSuddenlyFitsFarWorse) {
     watched.places().beginUpdate({}, kUnlimitedWork);
     watched.see(truth, truth);
     EXPECT_EQ(watched.recovery.status(), Status::kTracking) << "no other place looks like it";
+  }
+}
+
+/// On a map on which half a turn looks alike: what tracking earned before on some metres rules out
+/// that the robot was carried there, and on some centimetres it does not.
+TEST(Recovery, ASuspicionEndsWhereTheOddsRuleOutThePlacesThatLookAlike) {
+  for (const double metres : {2.4, 0.2}) {
+    SCOPED_TRACE(metres);
+    Watched before(asymmetricWorld()), watched(symmetricWorld());
+    Pose2 truth{0.8, 1.0, 0.0};
+    before.tell(truth);
+    before.see(truth, truth);
+    before.track(truth, metres);
+    watched.recovery.copyStateOf(before.recovery);
+    watched.believed = truth;
+    watched.places().beginUpdate({}, 1);
+    watched.see(truth, truth);
+    ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+    const Observations seen = watched.laser.observe(watched.map, truth);
+    watched.observe(withBystanders(seen, 2, 1.5F), truth);
+    ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous);
+    watched.places().beginUpdate({}, kUnlimitedWork);
+    for (int i = 0; i < 3; ++i) watched.see(truth, truth);
+    EXPECT_EQ(watched.recovery.status(), metres > 1.0 ? Status::kTracking : Status::kAmbiguous);
   }
 }
 

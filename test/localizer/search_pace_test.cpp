@@ -64,6 +64,37 @@ TEST(SearchPace, KnowsThatAScanWhichFittedNowhereFoundNotAll) {
   EXPECT_TRUE(pace.wasBlind(0.05));
 }
 
+TEST(SearchPace, IsUnsureUntilAScanThatFitsAsUsualWasSearchedForOrSomeOthers) {
+  constexpr double kUsual = 0.08;
+  SearchPace pace;
+  pace.begin();
+  EXPECT_TRUE(pace.isUnsure(kUsual));
+  pace.searched(true, 0.09);
+  EXPECT_TRUE(pace.isUnsure(kUsual));
+  pace.searched(true, 0.07);
+  EXPECT_FALSE(pace.isUnsure(kUsual));
+  EXPECT_TRUE(pace.isUnsure(0.0)) << "as of one of many";
+  pace.begin();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(pace.isUnsure(kUsual)) << i;
+    pace.searched(true, 0.09);
+  }
+  EXPECT_FALSE(pace.isUnsure(kUsual));
+}
+
+TEST(SearchPace, SeesElseHalfAMetreAfterASearch) {
+  SearchPace pace;
+  pace.begin();
+  pace.travel(0.6);
+  EXPECT_TRUE(pace.seesElse());
+  pace.searched(true, 0.09);
+  EXPECT_FALSE(pace.seesElse());
+  pace.travel(0.4);
+  EXPECT_FALSE(pace.seesElse());
+  pace.travel(0.2);
+  EXPECT_TRUE(pace.seesElse());
+}
+
 TEST(SearchPace, InsistsOnASearchUntilItIsDone) {
   SearchPace pace;
   pace.begin();

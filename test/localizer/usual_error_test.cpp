@@ -17,6 +17,17 @@ TEST(UsualError, FallsSlowlyAndRisesMoreSlowly) {
   EXPECT_LT(usual.value(), 0.02);
 }
 
+TEST(UsualError, WhereThePlaceIsNotKnownItFallsButRisesToNoMoreThanWasKnown) {
+  UsualError usual(0.05);
+  for (int i = 0; i < 100; ++i) usual.observeUnknown(0.2);
+  EXPECT_DOUBLE_EQ(usual.value(), 0.05) << "what the map lets expect";
+  for (int i = 0; i < 1000; ++i) usual.observe(0.1);
+  for (int i = 0; i < 100; ++i) usual.observeUnknown(0.02);
+  EXPECT_LT(usual.value(), 0.03);
+  for (int i = 0; i < 1000; ++i) usual.observeUnknown(0.2);
+  EXPECT_NEAR(usual.value(), 0.1, 1e-3);
+}
+
 TEST(UsualError, LimitsWhatIsNotUnusual) {
   EXPECT_DOUBLE_EQ(UsualError(0.12).limit(), 0.24);
   EXPECT_DOUBLE_EQ(UsualError(0.0).limit(), 0.1);  // a perfect map
