@@ -125,9 +125,9 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
 
-/// One place is left. Whether the true one may not be among those that were found: then the map is
-/// searched again. So it is by other views, if a new place was one of several and fits no scan as
-/// is usual, or one of many.
+/// Whether the race goes on though one place is left, as the true one may not be among those that
+/// were found. Then the map is searched again; for a new place that was one of several and fits no
+/// scan as is usual, or was one of many, by other views.
 bool Recovery::searchOn(const Observations& observations) {
   const bool is_lacking =
       hypotheses_.lackSome(against()) || pace_.wasBlind(hypotheses_.leastError());
