@@ -127,7 +127,10 @@ class Recovery {
     return isNew() ? Hypotheses::Against::kTogether : Hypotheses::Against::kEach;
   }
 
-  /// A new place that was one of so many that the true one may not have been among them.
+  /// There were so many places to choose from in this race that the true one may not be among them.
+  bool areMany() const { return most_ >= kMany; }
+
+  /// A new place that was one of so many.
   bool isOneOfMany() const { return were_many_ && isNew(); }
   bool isAsUsual(double error) const { return error <= Hypotheses::withTolerance(usual_.value()); }
 
@@ -150,8 +153,6 @@ class Recovery {
   bool isDoubtful(double error, bool is_seen) const;
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
-  /// There are many places to choose from in this race.
-  bool areMany() const { return most_ >= kMany; }
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   bool searchOn(const Observations& observations);
   void leaveOdds();
@@ -199,8 +200,8 @@ class Recovery {
   bool explained_{false};      // some place explains the last scan
   bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
   int alike_{0};             // of this race, so many others than the core's fitted a scan as well
-  std::size_t most_{0};      // to choose from at a time,
-  bool were_many_{false};    // and they were many in the last race
+  std::size_t most_{0};      // places to choose from at a time, in this race
+  bool were_many_{false};    // in the last one
   int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
   int unfit_{0};             // or hardly at all
   int blind_{0};             // scans in a row that told nothing
