@@ -9,8 +9,8 @@ namespace {
 const std::set<std::string> kForUsers{
     // which core, and what it may cost
     "filter", "preset", "amcl_compatibility", "plugins", "recovery", "refine", "seed", "threads",
-    "update_budget", "swarm_size", "markov_cell", "markov_headings", "energy_grid_max_memory",
-    "cache_dir",
+    "update_budget", "search_share", "swarm_size", "markov_cell", "markov_headings",
+    "energy_grid_max_memory", "cache_dir",
     // start and end
     "start", "pose_file", "tf_rate",
     // map, scans and odometry

@@ -54,6 +54,7 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   JudgedScan judged;
   judged.answer = localizer.update(seen.T_odom_base, observations);
   judged.update_ms = watch.milliseconds();
+  localizer.searchOn();
   judged.stamp = seen.scan.stamp;
   judged.T_odom_base = seen.T_odom_base;
   judged.T_map_base = seen.T_map_base;

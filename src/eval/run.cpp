@@ -64,6 +64,7 @@ void addStep(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;
   result.update_ms = watch.milliseconds();
+  localizer.searchOn();
   result.cpu_ms = cpu_watch.milliseconds();
   result.stamp = log_scan.scan.stamp;
   result.T_odom_base = log_scan.T_odom_base;

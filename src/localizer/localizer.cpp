@@ -15,11 +15,15 @@
 namespace adaptive_localization {
 namespace {
 
+/// What a core of 3 GHz searches in so much time.
+SearchWork workIn(double milliseconds) {
+  constexpr double kPosesPerMillisecond = 40000.0;
+  return static_cast<SearchWork>(std::min(1e15, milliseconds * kPosesPerMillisecond));
+}
+
 /// What may be searched in an update.
 SearchWork workFor(const LocalizerOptions& options) {
-  constexpr double kPosesPerMillisecond = 40000.0;  // on a core of 3 GHz
-  if (options.update_budget == 0.0) return kUnlimitedWork;
-  return static_cast<SearchWork>(std::min(1e15, options.update_budget * kPosesPerMillisecond));
+  return options.update_budget > 0.0 ? workIn(options.update_budget) : kUnlimitedWork;
 }
 
 /// Plug-ins may answer anything.
@@ -108,6 +112,8 @@ void Localizer::setMap(PreparedMap& prepared) {
 Localization Localizer::update(const Pose2& T_odom_base, const Observations& observations) {
   last_.updated = false;
   if (last_.status == Status::kUninitialised || !isPlace(T_odom_base)) return last_;
+  interval_ = std::max(0.0, observations.stamp - stamp_);  // 0 if one is no number
+  stamp_ = observations.stamp;
   const bool first = !T_odom_base_at_update_;
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   const bool is_new = first || recovery_->isUnverified(observations);  // also once there is a grid
@@ -132,6 +138,12 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   }
   last_.T_map_base = last_.T_map_odom * T_odom_base;
   return last_;
+}
+
+void Localizer::searchOn() {
+  constexpr double kLongest = 0.2;  // s
+  const double share = setup_.options.search_share * std::min(kLongest, interval_);
+  ground_.places->searchOn(workIn(1000.0 * share));
 }
 
 /// A scan that contradicts the map opens it too: a robot that was carried away stands still.

@@ -163,8 +163,10 @@ void LocalizationNode::localize(const Pose2& T_odom_base, Observations observati
   publisher_.publishStatus(answer, figures(stamp));
   const Match* match = scans_.hasTopics() ? localizer_->match() : nullptr;
   display_.show(answer, observations.scan, match, localizer_->places(), stamp);
-  if (!observations.landmarks) return;
-  display_.showLandmarks(landmarks_.known(), answer.T_map_base, *observations.landmarks, stamp);
+  if (observations.landmarks) {
+    display_.showLandmarks(landmarks_.known(), answer.T_map_base, *observations.landmarks, stamp);
+  }
+  localizer_->searchOn();
 }
 
 /// Forward, odometry bridges the gap; back, it has started anew as well.

@@ -149,6 +149,10 @@ void Places::beginUpdate(const Pose2& T_odom_base, SearchWork work) {
   }
 }
 
+void Places::searchOn(SearchWork work) {
+  if (question_) question_->search->advance(work);
+}
+
 std::optional<std::vector<Place>> Places::search(const Observations& observations) {
   if (searched_ && isSame(*searched_, observations)) return found_;
   searched_.reset();

@@ -37,6 +37,9 @@ class Places {
   /// goes on. Until this is called for the first time there is no limit.
   void beginUpdate(const Pose2& T_odom_base, SearchWork work);
 
+  /// What is being searched for goes on between two updates.
+  void searchOn(SearchWork work);
+
   /// The robot may have been carried away: a scan from before tells no more where it is.
   void askAnew() { question_.reset(); }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "ser/places.hpp"
@@ -96,6 +97,35 @@ TEST_F(KidnappedRobot, IsFoundByASearchInParts) {
     }
     EXPECT_TRUE(is_found) << core;
     EXPECT_GT(scans, 3) << core << ": as if it were searched for at once";
+  }
+}
+
+/// What updates may not do is done between them, by the time that there is from scan to scan.
+TEST_F(KidnappedRobot, IsFoundSoonerBySearchingBetweenScans) {
+  const auto scansBy = [&](double share, double interval) {
+    const auto localizer = make("sa_kld");
+    Parameters parameters;
+    parameters.set("filter", std::string("sa_kld"));
+    parameters.set("update_budget", 0.05);  // ms, 2000 poses
+    parameters.set("search_share", share);
+    localizer->configure(parameters);
+    track(*localizer);
+    Observations seen = seenFrom(kThere);
+    for (int scans = 1; scans < 60; ++scans) {
+      seen.stamp += interval;
+      const Localization answer = update(*localizer, {}, seen);
+      if (testing::Value(answer.T_map_base, PoseNear(kThere, 0.15, 0.087))) return scans;
+      localizer->searchOn();
+    }
+    return 60;
+  };
+  const int without = scansBy(0.0, 0.1);
+  EXPECT_GT(without, 6);
+  EXPECT_LT(without, 60);
+  EXPECT_LE(scansBy(0.25, 0.1), 4);
+  EXPECT_LT(scansBy(0.001, 0.1), without);
+  for (const double no_time : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(scansBy(0.25, no_time), scansBy(0.0, no_time)) << no_time;
   }
 }
 

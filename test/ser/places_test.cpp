@@ -148,6 +148,24 @@ TEST(Places, AreSearchedForInParts) {
   }
 }
 
+TEST(Places, AreSearchedForBetweenUpdatesToo) {
+  const Observations seen{1.0, scanOf(181)};
+  const auto at_once = placesOf(asymmetricWorld()).search(seen);
+  Places places = placesOf(asymmetricWorld());
+  places.searchOn(kUnlimitedWork);  // nothing was asked for
+  places.beginUpdate({}, 1);
+  EXPECT_FALSE(places.search(seen));
+  places.searchOn(1);
+  EXPECT_FALSE(places.search(seen));
+  places.searchOn(kUnlimitedWork);
+  const SearchWork left = places.workLeft();
+  const auto answer = places.search(seen);
+  EXPECT_EQ(places.workLeft(), left) << "of the update";
+  ASSERT_TRUE(answer && at_once);
+  ASSERT_EQ(answer->size(), at_once->size());
+  EXPECT_THAT(answer->front().T_map_base, PoseNear(at_once->front().T_map_base, 1e-12, 1e-12));
+}
+
 /// What the first scan began, the last one judges, from where the robot is by then.
 TEST(Places, RideOnTheOdometryWhileTheyAreSearchedFor) {
   const auto searchAlong = [](const Pose2& by_odometry, const Pose2& in_truth) {

@@ -75,6 +75,10 @@ class Localizer {
   /// ignored. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
+  /// Goes on with a search of the map that the last update did not finish, for search_share of the
+  /// time since the scan before it: between scans, once what update() answered is published.
+  void searchOn();
+
   /// How well scans fit the map at the estimate, how sure the belief is.
   const Confidence& confidence() const;
 
@@ -141,7 +145,8 @@ class Localizer {
   bool update_requested_{false};
   std::uint64_t moves_{0};  // of the belief
   std::optional<Pose2> T_odom_base_at_update_;
-  std::optional<Match> match_;  // of the last update's scan
+  double stamp_{0.0}, interval_{0.0};  // of the last scan, and before it, s
+  std::optional<Match> match_;         // of the last update's scan
   Localization last_;
 };
 
