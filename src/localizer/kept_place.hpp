@@ -10,14 +10,13 @@ constexpr double kMostOfView = kPi / 2.0;
 
 /// What a scan may say at most, in log odds, against a place where the robot was told or known to
 /// be. Where most of the scan does not fit there it has no bound, unless one thing may fill the
-/// whole view or hardly any beam goes on where the map has a wall. Where most of it fits, by ranges
-/// or by where hits are, something there has rather changed than is it another place. Least of all
-/// is said by beams that end before what the map has, if hardly any go on where it has a wall:
-/// people, things that were brought, and walls that are missing on the map do that, to half of a
-/// scan or to 90 degrees, which may be all that a camera sees. So little do beams that go on say if
-/// nearly all that do not end before the map's walls, or all but one where they are few, end at
-/// some, as near as is usual on this map: then something was taken away. From another place, beams
-/// go on through walls here and there.
+/// whole view. Where most of it fits, by ranges or by where hits are, something there has rather
+/// changed than is it another place. Least of all is said by beams that end before what the map
+/// has, if hardly any go on where it has a wall: people, things that were brought, and walls that
+/// are missing on the map do that, to half of a scan or to 90 degrees, which may be all that a
+/// camera sees. So little do beams that go on say if nearly all that do not end before the map's
+/// walls, or all but one where they are few, end at some, as near as is usual on this map: then
+/// something was taken away. From another place, beams go on through walls here and there.
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error);
 

@@ -31,11 +31,13 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 }
 
 /// Scans contradict the place, one after another: the laser sends garbage, or the place is another
-/// one. If beams rather end before the map's walls than go on through them, something that the map
-/// does not have may fill the view.
+/// one. If a camera's beams rather end before the map's walls than go on through them, something
+/// that the map does not have may fill its view.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
   if (confidence_.contradictions() < kContradictions) return false;
-  return scan.hits() == 0 || !range_error_.at(T_map_base, scan).isHidden();
+  if (scan.hits() == 0 || scan.view.width > kMostOfView) return true;
+  const RangeError::Fit fit = range_error_.at(T_map_base, scan);
+  return fit.throughShare() > fit.short_share;
 }
 
 /// A view into the open is as good as any, unless the map has walls there: then the robot is

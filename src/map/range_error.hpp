@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <memory>
 
 #include "adaptive_localization/core/scan.hpp"
@@ -30,10 +29,6 @@ class RangeError {
 
     /// Of the beams, those that go on where the map has a wall.
     double throughShare() const { return off_share - short_share; }
-
-    /// Rather something that the map does not have stands before the laser than the robot is
-    /// elsewhere: few beams go on through walls, of all or beside those that end early.
-    bool isHidden() const { return throughShare() < std::max(0.05, 0.4 * short_share); }
   };
 
   explicit RangeError(std::shared_ptr<const OccupancyGrid> map,

@@ -550,7 +550,7 @@ TEST(Recovery, ARobotThatStandsStillLearnsNothingNew) {
 /// will tell.
 TEST(Recovery, ALostRobotIsNotTrackedBeforeTheSearchHasItsAnswer) {
   Watched watched(asymmetricWorld());
-  const Pose2 here{2.0, 3.0, -0.5}, there{1.0, 1.0, 0.3};
+  const Pose2 here{2.0, 3.0, -0.5}, there{8.0, 1.0, 2.0};
   const auto see = [&](const Pose2& truth, SearchWork work) {
     watched.places().beginUpdate({}, work);
     watched.see(truth, here);
@@ -604,8 +604,8 @@ TEST(Recovery, APlaceThatScansToldIsOneOfSeveralWhileASearchForOthersTakesLong) 
 /// The scan that raised the doubt is weighed, though the answer comes with another one.
 TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   Watched watched(asymmetricWorld());
-  const Pose2 here{8.0, 1.0, 2.0};
-  Pose2 there{2.0, 3.0, -0.5}, believed = here, odometry;
+  const Pose2 here{2.0, 3.0, -0.5};
+  Pose2 there{8.0, 1.0, 2.0}, believed = here, odometry;
   watched.tell(here);
   watched.places().beginUpdate({}, kUnlimitedWork);
   watched.see(here, here);
@@ -714,14 +714,13 @@ TEST(Recovery, ACoverTakesOddsAwayUnlessSomebodyOnlyPassesBy) {
   EXPECT_GT(placesAfter(60, covered), 1U);
 }
 
-TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessBeamsOnlyEndEarly) {
+TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessSomethingFillsACamerasView) {
   const auto hidden = [](const Observations& seen) { return withRanges(seen, 0.4F); };
   const auto beyond = [](const Observations& seen) { return withRanges(seen, 1.7F); };
   constexpr double kCamera = 1.0;  // rad
-  for (const double view : {kPi, kCamera}) {
-    EXPECT_EQ(placesAfter(60, hidden, view), 1U) << view;
-    EXPECT_GT(placesAfter(60, beyond, view), 1U) << view;
-  }
+  EXPECT_EQ(placesAfter(60, hidden, kCamera), 1U);
+  EXPECT_GT(placesAfter(60, beyond, kCamera), 1U);
+  EXPECT_GT(placesAfter(60, hidden), 1U);
 }
 
 /// Two scans told lies: the core was moved to where they seemed to be from.
