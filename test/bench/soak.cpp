@@ -163,6 +163,7 @@ class Soak {
                                localizer_->scanOptions(), seen.velocity);
     const Localization answer = localizer_->update(seen.T_odom_base, observations);
     if (answer.updated) ms.push_back(watch.milliseconds());
+    localizer_->searchOn();
     ++hour.scans;
     const bool is_tracking = answer.status == Status::kTracking;
     const Pose2 error = between(*seen.T_map_base, answer.T_map_base);

@@ -69,6 +69,7 @@ void track(const std::string& map, const std::string& log, const al::Pose2& star
     const al::Pose2& pose = answer.T_map_base;
     std::cout << observations.stamp << ' ' << pose.x << ' ' << pose.y << ' ' << pose.theta << ' '
               << al::toText(answer.status) << ' ' << answer.confidence << '\n';
+    localizer.searchOn();  // for a lost robot, while there is time until the next scan
   }
 }
 

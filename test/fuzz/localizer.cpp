@@ -85,7 +85,8 @@ void call(FuzzedDataProvider& given, al::Localizer& localizer, al::Pose2& T_odom
     default: {
       const al::Pose2 moved = T_odom_base * pose(given, 0.3);
       if (al::isPlace(moved)) T_odom_base = moved;
-      return checkNumbers(localizer.update(moved, seen(given, localizer.scanOptions(), stamp)));
+      checkNumbers(localizer.update(moved, seen(given, localizer.scanOptions(), stamp)));
+      return localizer.searchOn();
     }
   }
 }
