@@ -23,7 +23,7 @@ struct RunStep {
   Status status{Status::kUninitialised};
   bool updated{false};
   double update_ms{0.0};  // spent on this scan
-  double cpu_ms{0.0};     // and on what follows it, all threads' processor time
+  double cpu_ms{0.0};     // the same and the search after it, all threads' processor time
   int particles{0};
   double fit{0.0};  // of the scan at the estimate, as the confidence has it
   int modes{0};     // places where the robot may be
