@@ -17,7 +17,7 @@ constexpr double kPlaceTurnVariance = 0.03 * 0.03;  // rad^2
 
 /// From one of these an alignment can end where it does not from the other.
 bool isElsewhere(const Pose2& a, const Pose2& b) {
-  constexpr double kNear = 0.1, kSame = 0.05;  // m, rad
+  constexpr double kNear = 0.04, kSame = 0.02;  // m, rad
   return distance(a, b) > kNear || std::abs(wrapAngle(a.theta - b.theta)) > kSame;
 }
 

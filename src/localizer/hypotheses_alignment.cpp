@@ -49,7 +49,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for
     if (!hypothesis.is_due) continue;
     Place place = hypothesis.aligned ? *std::exchange(hypothesis.aligned, {})
                                      : refiner.align(hypothesis.T_map_ridden);
-    if (hypothesis.T_map_found) {
+    if (hypothesis.T_map_found && refiner.error(*hypothesis.T_map_found) < place.error) {
       const Place found = refiner.align(*hypothesis.T_map_found);
       if (withTolerance(found.error) < place.error) place = found;
     }

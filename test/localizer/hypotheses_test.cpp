@@ -327,6 +327,20 @@ TEST(Hypotheses, APlaceThatDriftedOffIsAlignedFromWhereASearchFoundIt) {
   }
 }
 
+/// Two beams hardly move a place against its odometry.
+TEST(Hypotheses, APlaceIsAlignedFromWhereASearchFoundItAFewCentimetresOff) {
+  const Observations seen = ToyLaser{2, -0.05, 0.05, 12.0}.observe(asymmetricWorld(), kTruth);
+  for (const bool is_found : {false, true}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth * Pose2{-0.09, 0.0, 0.0}, 0.0);
+    if (is_found) hypotheses.addFound({{kTruth, 0.01}}, 0.0);
+    hypotheses.weigh(seen, News{}, kUsual);
+    ASSERT_EQ(hypotheses.modes().size(), 1U);
+    EXPECT_EQ(distance(hypotheses.modes().front().T_map_base, kTruth) < 0.02, is_found)
+        << distance(hypotheses.modes().front().T_map_base, kTruth);
+  }
+}
+
 /// Odds that were earned stay where odometry and the core have the robot.
 TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   const Pose2 ridden = kTruth * Pose2{-0.4, 0.0, 0.0}, core = kTruth * Pose2{-0.55, 0.0, 0.0};
