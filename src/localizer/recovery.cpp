@@ -45,6 +45,7 @@ void Recovery::reset(const Prior& prior) {
   is_carried_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
+  doubted_.clear();
   is_settled_ = !from_anywhere_;
   status_ = Status::kGlobalizing;
 }
@@ -124,10 +125,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
     const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
     if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion, error > kUnfit);
   }
-  if (in_doubt_ && observations.scan.hits() > 0) {
-    doubted_.note(T_map_base);
-    doubted_.follow(observations.scan, usual_.value());
-  }
+  followDoubted(T_map_base, observations.scan);
   if (is_settled_ && isRaceDue(T_map_base_expected, T_map_base, error, observations)) {
     in_doubt_ ? openDoubted(observations) : open(T_map_base_expected);
   } else if (is_settled_) {

@@ -151,6 +151,7 @@ class Recovery {
   bool isSudden(const Pose2& T_map_base, const Scan& scan, double error) const;
   bool hasSlid(const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;
+  void followDoubted(const Pose2& T_map_core, const Scan& scan);
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);

@@ -20,18 +20,28 @@ Eigen::Matrix3d roughly() {
 
 }  // namespace
 
-/// While other places are searched for, the doubted one is followed as it would be in a race.
+/// The place is the core's, or, if no scan has fitted that since the last race, the one that scans
+/// have shown since then.
 void Recovery::doubt(const Pose2& T_map_base) {
-  in_doubt_ = T_map_base;
+  if (doubted_.isEmpty()) doubted_.addKept(T_map_base, odds_);
+  in_doubt_ = doubted_.isEmpty() ? T_map_base : doubted_.modes().front().T_map_base;
   doubted_way_ = doubted_turn_ = 0.0;
-  doubted_.clear();
-  doubted_.addKept(T_map_base, odds_);
+}
+
+/// While other places are searched for, and until a scan fits, the doubted one is followed as it
+/// would be in a race: odometry may be wrong.
+void Recovery::followDoubted(const Pose2& T_map_core, const Scan& scan) {
+  if (!in_doubt_ && unexplained_ == 0) doubted_.clear();
+  if (doubted_.isEmpty() || scan.hits() == 0) return;
+  doubted_.note(T_map_core);
+  doubted_.follow(scan, usual_.value());
 }
 
 /// What was known of the place is void, and so is what was found of others.
 void Recovery::beCarried(const Pose2& T_map_base) {
   settle();
   left_.reset();
+  doubted_.clear();
   odds_.beCarried();
   proof_.demand();
   pace_.restart();
@@ -119,6 +129,8 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   if (odds_.ruleOut(alike_)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = areMany() || isOneOfMany();
+  doubted_.clear();
+  doubted_.addKept(modes_[0].T_map_base, odds_);
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();

@@ -623,6 +623,24 @@ TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));
 }
 
+/// Odometry says forward while the robot stands, some of the scan does not fit, and each search has
+/// its answer at once: the place is followed by scans from one doubt to the next.
+TEST(Recovery, AKeptPlaceIsFollowedFromOneDoubtToTheNext) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 2.2, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 5.0);
+  const Pose2 motion{0.2, 0.0, 0.0};
+  Pose2 core = truth;  // which refuses the scans
+  for (int i = 0; i < 10 && !watched.recovery.mustMove(); ++i) {
+    core = core * motion;
+    watched.observe(withBystanders(watched.laser.observe(watched.map, truth), 3, 0.8F), core,
+                    motion);
+  }
+  ASSERT_TRUE(watched.recovery.mustMove());
+  EXPECT_THAT(watched.recovery.modes().front().T_map_base, PoseNear(truth, 0.1, 0.05));
+}
+
 /// What is usual, m, after a drive on a map that lacks much of what the laser sees, where two of
 /// three updates may search for so much.
 double usualAfterADrive(SearchWork work) {
