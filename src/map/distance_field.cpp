@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/parallel.hpp"
+#include "distance_kernel.hpp"
 #include "occupied_depth.hpp"
 
 namespace adaptive_localization {
@@ -147,40 +148,23 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const DistanceField& bef
   if (!part.empty()) fill(grid, part, reach, kStepsPerCell, stop, nearness_);
 }
 
+NearnessView DistanceField::view() const {
+  return {nearness_.values(), nearness_.stride(), lattice_.width(), lattice_.height(), reach_};
+}
+
 double DistanceField::between(const Eigen::Vector2d& point_map) const {
   const Eigen::Vector2d cells = lattice_.toLattice(point_map) / lattice_.resolution();
-  return step_ * stepsBetween(cells.x() - 0.5, cells.y() - 0.5);
+  return step_ * stepsBetween(view(), cells.x() - 0.5, cells.y() - 0.5);
 }
 
 double DistanceField::sumBetween(const Pose2& T_map_base, const Eigen::ArrayXf& x,
                                  const Eigen::ArrayXf& y, Eigen::Index stride, double most) const {
+  static const DistanceKernel kSum = fastestSumOfSteps();
   const Pose2 base = lattice_.toLattice(T_map_base);
   const double per_metre = 1.0 / lattice_.resolution();
   const double c = per_metre * std::cos(base.theta), s = per_metre * std::sin(base.theta);
-  const double at_x = per_metre * base.x - 0.5, at_y = per_metre * base.y - 0.5;
-  const double most_steps = most / step_;
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < x.size(); i += stride) {
-    const double px = x[i], py = y[i];
-    const double steps = stepsBetween(at_x + c * px - s * py, at_y + s * px + c * py);
-    sum += std::min(steps, most_steps);
-  }
-  return step_ * sum;
-}
-
-/// Between the four cells around a point, given in cells from the centre of the first.
-double DistanceField::stepsBetween(double x, double y) const {
-  const int last_x = lattice_.width() - 1, last_y = lattice_.height() - 1;
-  if (!(x > -0.5 && y > -0.5 && x < last_x + 0.5 && y < last_y + 0.5)) return reach_;
-  const int left = static_cast<int>(x + 1.0) - 1, low = static_cast<int>(y + 1.0) - 1;  // floors
-  const int first = std::max(left, 0) + 1, second = std::min(left + 1, last_x) + 1;
-  const int lower = std::max(low, 0) + 1, upper = std::min(low + 1, last_y) + 1;
-  const auto along = [&](int row) {
-    const int here = reach_ - nearness_.at(first, row), next = reach_ - nearness_.at(second, row);
-    return here + (x - left) * (next - here);
-  };
-  const double below = along(lower);
-  return below + (y - low) * (along(upper) - below);
+  const PointFrame frame{per_metre * base.x - 0.5, per_metre * base.y - 0.5, c, s};
+  return step_ * kSum(view(), frame, {x.data(), y.data(), x.size(), stride}, most / step_);
 }
 
 }  // namespace adaptive_localization

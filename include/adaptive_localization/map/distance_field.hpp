@@ -10,6 +10,8 @@
 
 namespace adaptive_localization {
 
+struct NearnessView;
+
 /// Euclidean distance from each cell's centre to the centre of the nearest cell of a wall, exact
 /// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
 /// down to kWallDepth below their faces: where a map was made inexactly they are thick, and a laser
@@ -63,7 +65,7 @@ class DistanceField {
  private:
   static constexpr int kStepsPerCell = 64;
 
-  double stepsBetween(double x, double y) const;
+  NearnessView view() const;
 
   Lattice lattice_;
   double step_;
