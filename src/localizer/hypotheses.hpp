@@ -207,6 +207,7 @@ class Hypotheses {
   void choose(double share);
   double loss(double error, double usual) const;
   double tolerated(double level) const;
+  void alignDue(const PlaceRefiner& refiner);
   void align(const PlaceRefiner& refiner, double usual, bool looks_for_slips);
   void alignTwins(const PlaceRefiner& refiner, const Pose2& correction, double usual);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "core/parallel.hpp"
 #include "localizer/hypotheses.hpp"
 #include "localizer/usual_error.hpp"
 #include "match/pose_kalman.hpp"
@@ -39,16 +41,28 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   return place;
 }
 
+/// Each by itself: all threads do.
+void Hypotheses::alignDue(const PlaceRefiner& refiner) {
+  std::vector<Hypothesis*> due;
+  for (Hypothesis& hypothesis : all_) {
+    if (hypothesis.is_due && !hypothesis.aligned) due.push_back(&hypothesis);
+  }
+  parallelFor(due.size(), 1, [&](const Chunk& chunk) {
+    Hypothesis& hypothesis = *due[chunk.begin];
+    hypothesis.aligned = refiner.align(hypothesis.T_map_base);
+  });
+}
+
 void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for_slips) {
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
   led_to_.clear();
+  alignDue(refiner);
   const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
-    Place place = hypothesis.aligned ? *std::exchange(hypothesis.aligned, {})
-                                     : refiner.align(hypothesis.T_map_ridden);
+    Place place = *std::exchange(hypothesis.aligned, {});
     if (hypothesis.T_map_found && refiner.error(*hypothesis.T_map_found) < place.error) {
       const Place found = refiner.align(*hypothesis.T_map_found);
       if (withTolerance(found.error) < place.error) place = found;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "estimate_refiner.hpp"
@@ -117,7 +118,9 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   const bool first = !T_odom_base_at_update_;
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   const bool is_new = first || recovery_->isUnverified(observations);  // also once there is a grid
-  ground_.places->beginUpdate(T_odom_base, is_new ? kUnlimitedWork : workFor(setup_.options));
+  const bool is_done_between = std::exchange(is_searched_on_, false);
+  const SearchWork work = is_done_between ? 0 : workFor(setup_.options);
+  ground_.places->beginUpdate(T_odom_base, is_new ? kUnlimitedWork : work);
   gyroscope_.observe(T_odom_base, observations);
   sonars_.hear(T_odom_base, observations);
   const bool is_carried = recovery_->seesCarrying(T_odom_base, observations.scan);
@@ -140,10 +143,13 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   return last_;
 }
 
+/// A doubt about a known place can wait: the scans that come meanwhile tell of it as well.
 void Localizer::searchOn() {
   constexpr double kLongest = 0.2;  // s
+  if (last_.status != Status::kLost && last_.status != Status::kGlobalizing) return;
   const double share = setup_.options.search_share * std::min(kLongest, interval_);
   ground_.places->searchOn(workIn(1000.0 * share));
+  is_searched_on_ = share > 0.0;
 }
 
 /// A scan that contradicts the map opens it too: a robot that was carried away stands still.

@@ -157,8 +157,23 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
   if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
   if (!in_doubt_ && (isCheckDue(observations) || isDoubtful(error, is_seen))) doubt(expected);
+  if (in_doubt_ && isPatient(error)) {
+    ground_.places->ask(observations);
+    return false;
+  }
   if (in_doubt_) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
+}
+
+/// One thing that was moved spoils a few scans: a place that was told, or tracked for long, is not
+/// compared with others by these alone, unless a scan fits far worse or the place may only look
+/// alike.
+bool Recovery::isPatient(double error) const {
+  constexpr double kWay = 0.5;  // m and rad together
+  constexpr int kScans = 10;
+  const bool is_mild = misfits_ > 0 && error <= kFarWorse * usual_.limit();
+  if (isNew() || proof_.isSuspect() || left_ || !is_mild || status_ == Status::kLost) return false;
+  return waited_ < kScans && doubted_way_ + doubted_turn_ < kWay;
 }
 
 /// Nobody doubts the pose: until there is a grid for a laser that came later, that can wait.

@@ -146,6 +146,7 @@ class Recovery {
   bool isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
                  const Observations& observations);
   bool isAnswered(const Observations& observations) const;
+  bool isPatient(double error) const;
   bool isCheckDue(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
   bool isSudden(const Pose2& T_map_base, const Scan& scan, double error) const;
@@ -155,7 +156,7 @@ class Recovery {
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
-  bool searchOn(const Observations& observations);
+  bool searchAgain(const Observations& observations);
   void leaveOdds();
   void search(const Observations& observations);
   void updateStatus();

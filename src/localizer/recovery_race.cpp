@@ -121,7 +121,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   const bool is_one = modes_.size() == 1 && !hypotheses_.waitForSome() &&
                       areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
-  if (searchOn(observations)) return;
+  if (searchAgain(observations)) return;
   if (hypotheses_.ruledOut()) {
     leaveOdds();
     proof_.demand();
@@ -130,7 +130,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = areMany() || isOneOfMany();
   doubted_.clear();
-  doubted_.addKept(modes_[0].T_map_base, odds_);
+  if (unexplained_ > 0) doubted_.addKept(modes_[0].T_map_base, odds_);
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
@@ -140,7 +140,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
 /// Whether the race goes on though one place is left, as the true one may not be among those that
 /// were found. Then the map is searched again; for a new place that was one of several and fits no
 /// scan as is usual, or was one of many, by other views.
-bool Recovery::searchOn(const Observations& observations) {
+bool Recovery::searchAgain(const Observations& observations) {
   const bool is_lacking =
       hypotheses_.lackSome(against()) || pace_.wasBlind(hypotheses_.leastError());
   const double as_usual = areMany() ? 0.0 : Hypotheses::withTolerance(usual_.value());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "place_refiner.hpp"
 #include "pose_search.hpp"
 
@@ -12,10 +13,10 @@ namespace {
 
 // Work as that of looking at so many poses.
 constexpr SearchWork kRefinedPlace = 8000;
-constexpr SearchWork kJudgedPlace = 1000;
+constexpr SearchWork kJudgedPlace = 3000;
 constexpr SearchWork kComparedPose = 8;  // with the places near it
 
-constexpr std::size_t kJudgedAfter = 100, kRefinedAfter = 8;  // places
+constexpr std::size_t kJudgedAfter = 30, kRefinedAfter = 8;  // places
 
 std::vector<Place> bestFirst(std::vector<Place> places) {
   std::stable_sort(places.begin(), places.end(), fitsBetter);
@@ -86,16 +87,17 @@ SearchWork PlaceSearch::workAfter() const {
 
 std::vector<Place> PlaceSearch::placesAfter(const Pose2& motion, const Scan& scan) const {
   const auto refiner = search_->refinerFor(scan);
-  std::vector<Place> places;
-  for (const Place& place : places_) {
-    const Pose2 T_map_base = place.T_map_base * motion;
-    const bool is_judged = places.size() < kJudgedAfter;
-    places.push_back({T_map_base, is_judged ? refiner->error(T_map_base) : place.error});
-  }
+  std::vector<Place> places = places_;
+  for (Place& place : places) place.T_map_base = place.T_map_base * motion;
+  parallelFor(std::min(kJudgedAfter, places.size()), 8, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      places[i].error = refiner->error(places[i].T_map_base);
+    }
+  });
   std::stable_sort(places.begin(), places.end(), fitsBetter);
-  for (std::size_t i = 0; i < std::min(kRefinedAfter, places.size()); ++i) {
-    places[i] = refiner->refine(places[i].T_map_base);
-  }
+  parallelFor(std::min(kRefinedAfter, places.size()), 1, [&](const Chunk& chunk) {
+    places[chunk.begin] = refiner->refine(places[chunk.begin].T_map_base);
+  });
   return bestFirst(std::move(places));
 }
 

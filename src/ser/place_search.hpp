@@ -28,7 +28,7 @@ class PlaceSearch {
   /// The distinct places, once all is done, best first.
   const std::vector<Place>& places() const { return places_; }
 
-  /// The same for a robot that moved on since: on the odometry, the best hundred judged by the scan
+  /// The same for a robot that moved on since: on the odometry, the best thirty judged by the scan
   /// that it takes now, and where that scan fits best nearby for those that it fits best already.
   std::vector<Place> placesAfter(const Pose2& motion, const Scan& scan) const;
 

@@ -153,18 +153,21 @@ void Places::searchOn(SearchWork work) {
   if (question_) question_->search->advance(work);
 }
 
+void Places::ask(const Observations& observations) {
+  const Entry* entry = question_ ? nullptr : entryFor(observations.scan);
+  if (!entry) return;
+  question_ = Question{observations, T_odom_base_,
+                       std::make_shared<PlaceSearch>(entry->search, observations.scan)};
+  way_ = 0.0;
+}
+
 std::optional<std::vector<Place>> Places::search(const Observations& observations) {
   if (searched_ && isSame(*searched_, observations)) return found_;
   searched_.reset();
   asked_before_.reset();
   found_.clear();
-  if (!question_) {
-    const Entry* entry = entryFor(observations.scan);
-    if (!entry) return found_;
-    question_ = Question{observations, T_odom_base_,
-                         std::make_shared<PlaceSearch>(entry->search, observations.scan)};
-    way_ = 0.0;
-  }
+  ask(observations);
+  if (!question_) return found_;
   if (!question_->search->advance(work_left_)) return std::nullopt;
   const PlaceSearch& search = *question_->search;
   if (isSame(question_->observations, observations)) {

@@ -40,6 +40,10 @@ class Places {
   /// What is being searched for goes on between two updates.
   void searchOn(SearchWork work);
 
+  /// Begins to search for the places where the robot can be by this scan, unless it does so for
+  /// another one already: search() has the answer.
+  void ask(const Observations& observations);
+
   /// The robot may have been carried away: a scan from before tells no more where it is.
   void askAnew() { question_.reset(); }
 

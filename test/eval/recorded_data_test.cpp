@@ -176,8 +176,9 @@ TEST(RecordedData, ACarriedRobotIsNotCalledTrackedElsewhere) {
     double least_found, most_misled, longest_misled;  // shares, s
   };
   for (const auto& [drive, seed, least_found, most_misled, longest] :
-       {Carried{&kDrives[0], 1, 1.0, 0.005, 1.5}, Carried{&kKillian, 2, 0.4, 0.02, 5.0},
-        Carried{&kKillian, 3, 0.4, 0.02, 5.0}}) {
+       {Carried{&kDrives[0], 1, 1.0, 0.005, 1.5}, Carried{&kDrives[0], 2, 1.0, 0.005, 1.5},
+        Carried{&kDrives[0], 3, 1.0, 0.005, 1.5}, Carried{&kKillian, 2, 0.5, 0.02, 5.0},
+        Carried{&kKillian, 3, 0.5, 0.02, 5.0}}) {
     if (isAbsent(dataFolder() + "/" + drive->folder)) GTEST_SKIP() << "no recorded data";
     const nlohmann::json told =
         replayed(*drive, {"--seed", std::to_string(seed), "--spoil", "carried:20"});

@@ -623,6 +623,30 @@ TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));
 }
 
+/// What was moved spoils some scans: with how much of the way behind it a place is compared with
+/// others, m; nothing if it never is.
+double wayUntilCompared(Watched& watched, Pose2 truth) {
+  const Pose2 motion{0.1, 0.0, 0.0};
+  for (double way = 0.1; way < 1.5; way += 0.1) {
+    truth = truth * motion;
+    const Observations seen = withBystanders(watched.laser.observe(watched.map, truth), 3, 0.8F);
+    watched.observe(seen, truth, motion);
+    if (watched.places().askedBefore(seen) || !watched.recovery.modes().empty()) return way;
+  }
+  return 0.0;
+}
+
+TEST(Recovery, APlaceThatWasToldIsComparedWithOthersAfterSomeWay) {
+  const Pose2 here{1.0, 2.2, 0.0};
+  Watched watched(asymmetricWorld());
+  watched.tell(here);
+  watched.see(here, here);
+  ASSERT_EQ(watched.recovery.status(), Status::kTracking);
+  const double way = wayUntilCompared(watched, here);
+  EXPECT_GT(way, 0.45);
+  EXPECT_LT(way, 0.85);
+}
+
 /// Odometry says forward while the robot stands, some of the scan does not fit, and each search has
 /// its answer at once: the place is followed by scans from one doubt to the next.
 TEST(Recovery, AKeptPlaceIsFollowedFromOneDoubtToTheNext) {
@@ -632,7 +656,7 @@ TEST(Recovery, AKeptPlaceIsFollowedFromOneDoubtToTheNext) {
   watched.track(truth, 5.0);
   const Pose2 motion{0.2, 0.0, 0.0};
   Pose2 core = truth;  // which refuses the scans
-  for (int i = 0; i < 10 && !watched.recovery.mustMove(); ++i) {
+  for (int i = 0; i < 15 && !watched.recovery.mustMove(); ++i) {
     core = core * motion;
     watched.observe(withBystanders(watched.laser.observe(watched.map, truth), 3, 0.8F), core,
                     motion);

@@ -166,6 +166,21 @@ TEST(Places, AreSearchedForBetweenUpdatesToo) {
   EXPECT_THAT(answer->front().T_map_base, PoseNear(at_once->front().T_map_base, 1e-12, 1e-12));
 }
 
+/// The answer to another scan tells by which one was asked.
+TEST(Places, AreAskedForBeforeTheAnswerIsWanted) {
+  Places places = placesOf(asymmetricWorld());
+  const Observations asked{1.0, scanOf(181)}, later{2.0, scanOf(181)};
+  places.beginUpdate({}, kUnlimitedWork);
+  places.ask(asked);
+  EXPECT_EQ(places.workLeft(), kUnlimitedWork);
+  places.ask(later);  // of no effect
+  places.beginUpdate({0.1, 0.0, 0.0}, kUnlimitedWork);
+  ASSERT_TRUE(places.search(later));
+  ASSERT_NE(places.askedBefore(later), nullptr);
+  EXPECT_EQ(places.askedBefore(later)->observations.stamp, asked.stamp);
+  EXPECT_NEAR(places.askedBefore(later)->motion.x, 0.1, 1e-12);
+}
+
 /// What the first scan began, the last one judges, from where the robot is by then.
 TEST(Places, RideOnTheOdometryWhileTheyAreSearchedFor) {
   const auto searchAlong = [](const Pose2& by_odometry, const Pose2& in_truth) {

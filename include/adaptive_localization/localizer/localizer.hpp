@@ -75,8 +75,9 @@ class Localizer {
   /// ignored. Before reset() the status is kUninitialised.
   Localization update(const Pose2& T_odom_base, const Observations& observations);
 
-  /// Goes on with a search of the map that the last update did not finish, for search_share of the
-  /// time since the scan before it: between scans, once what update() answered is published.
+  /// Goes on with a search of the map for a lost robot that the last update did not finish, for
+  /// search_share of the time since the scan before it: between scans, once what update() answered
+  /// is published.
   void searchOn();
 
   /// How well scans fit the map at the estimate, how sure the belief is.
@@ -146,6 +147,7 @@ class Localizer {
   std::uint64_t moves_{0};  // of the belief
   std::optional<Pose2> T_odom_base_at_update_;
   double stamp_{0.0}, interval_{0.0};  // of the last scan, and before it, s
+  bool is_searched_on_{false};         // since then: the next update need not
   std::optional<Match> match_;         // of the last update's scan
   Localization last_;
 };
