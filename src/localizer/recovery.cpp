@@ -157,7 +157,7 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
   if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
   if (!in_doubt_ && (isCheckDue(observations) || isDoubtful(error, is_seen))) doubt(expected);
-  if (in_doubt_ && isPatient(error)) {
+  if (in_doubt_ && is_seen && canSearch(observations) && isPatient(error)) {
     ground_.places->ask(observations);
     return false;
   }
