@@ -31,12 +31,19 @@ namespace {
 
 constexpr int kLanes = 4;
 
-/// What four cells are away from walls, in steps.
-__attribute__((target("avx2"))) inline __m128i gathered(const NearnessView& field, __m128i index) {
-  const auto* values = reinterpret_cast<const int*>(field.values);
-  const __m128i nearness =
-      _mm_and_si128(_mm_i32gather_epi32(values, index, 2), _mm_set1_epi32(0xFFFF));
-  return _mm_sub_epi32(_mm_set1_epi32(field.reach), nearness);
+/// What four cells are away from walls, in steps; one by one, as many processors take longer for a
+/// gather.
+__attribute__((target("avx2"))) inline __m256d stepsIn(const NearnessView& field, __m128i index) {
+  const std::int64_t a = _mm_cvtsi128_si64(index), b = _mm_extract_epi64(index, 1);
+  const auto at = [&field](std::int64_t pair, int shift) {
+    return field.values[static_cast<std::uint32_t>(static_cast<std::uint64_t>(pair) >> shift)];
+  };
+  __m128i nearness = _mm_cvtsi32_si128(at(a, 0));
+  nearness = _mm_insert_epi16(nearness, at(a, 32), 1);
+  nearness = _mm_insert_epi16(nearness, at(b, 0), 2);
+  nearness = _mm_insert_epi16(nearness, at(b, 32), 3);
+  return _mm256_cvtepi32_pd(
+      _mm_sub_epi32(_mm_set1_epi32(field.reach), _mm_cvtepu16_epi32(nearness)));
 }
 
 __attribute__((target("avx2"))) inline __m256d blended(__m256d a, __m256d b, __m256d share) {
@@ -64,13 +71,13 @@ __attribute__((target("avx2"))) inline bool stepsOfFour(const NearnessView& fiel
   const __m128i is_last = _mm_cmpeq_epi32(in_tile, in_tile_mask);
   const __m128i high = _mm_add_epi32(low, _mm_blendv_epi8(next, to_next_strip, is_last));
   const __m128i across = _mm_set1_epi32(SparseGrid::kTileRows);
-  const __m128i a = gathered(field, low), b = gathered(field, _mm_add_epi32(low, across));
-  const __m128i c = gathered(field, high), d = gathered(field, _mm_add_epi32(high, across));
+  const __m256d a = stepsIn(field, low), b = stepsIn(field, _mm_add_epi32(low, across));
+  const __m256d c = stepsIn(field, high), d = stepsIn(field, _mm_add_epi32(high, across));
 
   const __m256d share_x = _mm256_sub_pd(x, _mm256_cvtepi32_pd(_mm_sub_epi32(column, next)));
   const __m256d share_y = _mm256_sub_pd(y, _mm256_cvtepi32_pd(_mm_sub_epi32(row, next)));
-  const __m256d below = blended(_mm256_cvtepi32_pd(a), _mm256_cvtepi32_pd(b), share_x);
-  const __m256d above = blended(_mm256_cvtepi32_pd(c), _mm256_cvtepi32_pd(d), share_x);
+  const __m256d below = blended(a, b, share_x);
+  const __m256d above = blended(c, d, share_x);
   steps = blended(below, above, share_y);
   return true;
 }

@@ -9,9 +9,8 @@
 namespace adaptive_localization {
 namespace {
 
-/// One page more, as one value more may be read.
 std::size_t bytesFor(std::size_t tiles) {
-  return (tiles + 1) * SparseGrid::kTileSize * sizeof(std::uint16_t);
+  return tiles * SparseGrid::kTileSize * sizeof(std::uint16_t);
 }
 
 std::size_t tilesFor(int cells, int side) {

@@ -38,6 +38,25 @@ namespace {
 
 constexpr std::size_t kLanes = 8;
 
+/// One by one: many processors take longer for a gather.
+__attribute__((target("avx2"))) inline __m256i looked(const std::uint16_t* values, __m256i index) {
+  const __m128i low = _mm256_castsi256_si128(index), high = _mm256_extracti128_si256(index, 1);
+  const auto at = [values](std::int64_t pair, int shift) {
+    return values[static_cast<std::uint32_t>(static_cast<std::uint64_t>(pair) >> shift)];
+  };
+  const std::int64_t a = _mm_cvtsi128_si64(low), b = _mm_extract_epi64(low, 1);
+  const std::int64_t c = _mm_cvtsi128_si64(high), d = _mm_extract_epi64(high, 1);
+  __m128i value = _mm_cvtsi32_si128(at(a, 0));
+  value = _mm_insert_epi16(value, at(a, 32), 1);
+  value = _mm_insert_epi16(value, at(b, 0), 2);
+  value = _mm_insert_epi16(value, at(b, 32), 3);
+  value = _mm_insert_epi16(value, at(c, 0), 4);
+  value = _mm_insert_epi16(value, at(c, 32), 5);
+  value = _mm_insert_epi16(value, at(d, 0), 6);
+  value = _mm_insert_epi16(value, at(d, 32), 7);
+  return _mm256_cvtepu16_epi32(value);
+}
+
 __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseColumns& poses,
                                              std::size_t begin, std::size_t end, const float* x,
                                              const float* y, int hits, std::int32_t* sums) {
@@ -46,8 +65,6 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
   const __m256 max_v = _mm256_set1_ps(field.max_v);
   const __m256i stride = _mm256_set1_epi32(field.stride);
   const __m256i in_tile_mask = _mm256_set1_epi32(SparseGrid::kTileRows - 1);
-  const __m256i low_half = _mm256_set1_epi32(0xFFFF);
-  const auto* values = reinterpret_cast<const int*>(field.values);
   std::size_t i = begin;
   for (; i + kLanes <= end; i += kLanes) {
     const __m256 u = _mm256_loadu_ps(poses.u + i);
@@ -68,8 +85,8 @@ __attribute__((target("avx2"))) void sumAvx2(const FieldView& field, const PoseC
       const __m256i strip = _mm256_mullo_epi32(_mm256_sub_epi32(row_of, in_tile), stride);
       const __m256i x_in_strip = _mm256_slli_epi32(_mm256_cvttps_epi32(column), kTileRowsLog2);
       const __m256i index = _mm256_add_epi32(_mm256_add_epi32(strip, x_in_strip), in_tile);
-      sum = _mm256_add_epi32(sum,
-                             _mm256_and_si256(_mm256_i32gather_epi32(values, index, 2), low_half));
+      const __m256i value = looked(field.values, index);
+      sum = _mm256_add_epi32(sum, field.list ? looked(field.list, value) : value);
     }
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(sums + i), sum);
   }
@@ -85,6 +102,14 @@ SumKernel fastestSum() {
 namespace {
 
 constexpr std::size_t kLanes = 4;
+
+/// There is no gather.
+inline int32x4_t looked(const std::uint16_t* values, int32x4_t index) {
+  int32x4_t value = vdupq_n_s32(values[vgetq_lane_s32(index, 0)]);
+  value = vsetq_lane_s32(values[vgetq_lane_s32(index, 1)], value, 1);
+  value = vsetq_lane_s32(values[vgetq_lane_s32(index, 2)], value, 2);
+  return vsetq_lane_s32(values[vgetq_lane_s32(index, 3)], value, 3);
+}
 
 void sumNeon(const FieldView& field, const PoseColumns& poses, std::size_t begin, std::size_t end,
              const float* x, const float* y, int hits, std::int32_t* sums) {
@@ -110,12 +135,8 @@ void sumNeon(const FieldView& field, const PoseColumns& poses, std::size_t begin
       const int32x4_t strip = vmulq_n_s32(vsubq_s32(row_of, in_tile), field.stride);
       const int32x4_t x_in_strip = vshlq_n_s32(vcvtq_s32_f32(column), kTileRowsLog2);
       const int32x4_t index = vaddq_s32(vaddq_s32(strip, x_in_strip), in_tile);
-      // there is no gather
-      int32x4_t value = vdupq_n_s32(field.values[vgetq_lane_s32(index, 0)]);
-      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 1)], value, 1);
-      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 2)], value, 2);
-      value = vsetq_lane_s32(field.values[vgetq_lane_s32(index, 3)], value, 3);
-      sum = vaddq_s32(sum, value);
+      const int32x4_t value = looked(field.values, index);
+      sum = vaddq_s32(sum, field.list ? looked(field.list, value) : value);
     }
     vst1q_s32(sums + i, sum);
   }

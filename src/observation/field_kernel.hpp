@@ -7,11 +7,13 @@
 
 namespace adaptive_localization {
 
-/// A SparseGrid with a border one cell wide; limits are those of coordinates in it.
+/// A SparseGrid with a border one cell wide; limits are those of coordinates in it. It holds values
+/// or, if there is a list of those, their places in it.
 struct FieldView {
   const std::uint16_t* values;
   int stride;
   float max_u, max_v;  // just below the number of columns and rows
+  const std::uint16_t* list{nullptr};
 };
 
 /// Poses in the coordinates of the table, in cells: position and the axes of base.
@@ -40,8 +42,10 @@ inline std::uint16_t valueAt(const FieldView& field, float u, float v) {
   const float column = u > 0.0F ? (u < field.max_u ? u : field.max_u) : 0.0F;
   const float row = v > 0.0F ? (v < field.max_v ? v : field.max_v) : 0.0F;
   const int y = static_cast<int>(row);
-  return field.values[(y & ~kInTile) * field.stride +
-                      static_cast<int>(column) * SparseGrid::kTileRows + (y & kInTile)];
+  const std::uint16_t value =
+      field.values[(y & ~kInTile) * field.stride +
+                   static_cast<int>(column) * SparseGrid::kTileRows + (y & kInTile)];
+  return field.list ? field.list[value] : value;
 }
 
 }  // namespace adaptive_localization

@@ -41,8 +41,9 @@ LikelihoodField::LikelihoodField(const ObservationOptions& options, Form form,
   options_.laser_sigma_hit = sigmaHit(options, field_->quality());
   if (options_.do_beamskip && form_ == Form::kSum) {
     // a field of its own: the likelihood is flat long before the distance that explains a hit
-    nearness_ = std::make_unique<ScoreField>(field_, 2.0 * options_.beam_skip_distance,
-                                             [](double distance) { return -distance; });
+    nearness_ = std::make_unique<ScoreField>(
+        field_, 2.0 * options_.beam_skip_distance, [](double distance) { return -distance; },
+        ScoreField::Table::kNone);
   }
 }
 
@@ -55,25 +56,24 @@ double LikelihoodField::likelihood(double distance, double max_range, double sig
   return std::max(p, 1e-12);  // both weights may be zero
 }
 
-double LikelihoodField::sigmaFor(const Particles& particles) const {
-  const double sigma = options_.laser_sigma_hit;
-  return options_.laser_sigma_sparse > sigma && isSparse(particles) ? options_.laser_sigma_sparse
-                                                                    : sigma;
+std::unique_ptr<ScoreField> LikelihoodField::fieldOf(double max_range, bool is_sparse) const {
+  const double sigma = is_sparse ? options_.laser_sigma_sparse : options_.laser_sigma_hit;
+  const auto value = [&](double distance) {
+    const double p = likelihood(distance, max_range, sigma);
+    return form_ == Form::kCubed ? p * p * p : std::log(p);
+  };
+  return std::make_unique<ScoreField>(
+      field_, options_.laser_likelihood_max_dist, value,
+      is_sparse ? ScoreField::Table::kNone : ScoreField::Table::kKept);
 }
 
-const ScoreField& LikelihoodField::fieldFor(double max_range, double sigma) const {
-  Table& table = tables_[max_range];
-  if (!table.field || table.sigma != sigma) {
-    const bool cubed = form_ == Form::kCubed;
-    table.sigma = sigma;
-    table.field.reset();  // two at once would double the memory
-    table.field = std::make_unique<ScoreField>(
-        field_, options_.laser_likelihood_max_dist, [&](double distance) {
-          const double p = likelihood(distance, max_range, sigma);
-          return cubed ? p * p * p : std::log(p);
-        });
-  }
-  return *table.field;
+const ScoreField& LikelihoodField::fieldFor(double max_range, const Particles& particles) const {
+  const bool is_sparse =
+      options_.laser_sigma_sparse > options_.laser_sigma_hit && isSparse(particles);
+  Fields& fields = fields_[max_range];
+  std::unique_ptr<ScoreField>& field = is_sparse ? fields.sparse : fields.dense;
+  if (!field) field = fieldOf(max_range, is_sparse);
+  return *field;
 }
 
 Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) const {
@@ -106,7 +106,7 @@ double LikelihoodField::score(const Observations& observations, const Particles&
   if (hits == 0 || particles.size() == 0) return 0.0;
 
   Eigen::ArrayXd sums(particles.size());
-  fieldFor(scan.max_range, sigmaFor(particles)).sum(scan.x, scan.y, particles, sums);
+  fieldFor(scan.max_range, particles).sum(scan.x, scan.y, particles, sums);
   if (form_ == Form::kCubed) {
     log_likelihood += sums.log1p();
     return 1.0;

@@ -41,15 +41,15 @@ class LikelihoodField : public ObservationModel {
                Eigen::Ref<Eigen::ArrayXd> log_likelihood) const override;
 
  private:
-  /// The table of one kind of scan. Only one is kept for each max_range.
-  struct Table {
-    double sigma;
-    std::unique_ptr<ScoreField> field;
+  /// What one kind of scan is worth. Clouds are sparse for a few updates at a time: a table would
+  /// not pay for them.
+  struct Fields {
+    std::unique_ptr<ScoreField> dense, sparse;
   };
 
   double likelihood(double distance, double max_range, double sigma) const;
-  double sigmaFor(const Particles& particles) const;
-  const ScoreField& fieldFor(double max_range, double sigma) const;
+  std::unique_ptr<ScoreField> fieldOf(double max_range, bool is_sparse) const;
+  const ScoreField& fieldFor(double max_range, const Particles& particles) const;
 
   /// The scan without the beams that few particles explain, if there are few of those.
   Scan skipBeams(const Scan& scan, const Particles& particles) const;
@@ -57,8 +57,8 @@ class LikelihoodField : public ObservationModel {
   ObservationOptions options_;
   Form form_;
   std::shared_ptr<const DistanceField> field_;
-  std::unique_ptr<ScoreField> nearness_;    // minus the distance; where beams may be skipped
-  mutable std::map<double, Table> tables_;  // by the laser's max_range
+  std::unique_ptr<ScoreField> nearness_;     // minus the distance; where beams may be skipped
+  mutable std::map<double, Fields> fields_;  // by the laser's max_range
 };
 
 }  // namespace adaptive_localization

@@ -67,10 +67,8 @@ double reachOf(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y) {
 }  // namespace
 
 ScoreField::ScoreField(std::shared_ptr<const DistanceField> field, double max_distance,
-                       const std::function<double(double)>& value)
-    : field_(std::move(field)),
-      table_(field_->lattice().width() + 2, field_->lattice().height() + 2),
-      is_made_around_(table_.tiles(), 0) {
+                       const std::function<double(double)>& value, Table table)
+    : field_(std::move(field)) {
   at_max_ = value(max_distance);
   const double range = value(0.0) - at_max_;
   step_ = std::copysign(std::max(std::abs(range), 1e-12) / 65535.0, range);
@@ -83,7 +81,10 @@ ScoreField::ScoreField(std::shared_ptr<const DistanceField> field, double max_di
     by_nearness_[static_cast<std::size_t>(reach - d)] =
         static_cast<std::uint16_t>(std::lround((level - at_max_) / step_));
   }
+  if (table == Table::kNone) return;
   const SparseGrid& nearness = field_->nearness();
+  table_.emplace(field_->lattice().width() + 2, field_->lattice().height() + 2);
+  is_made_around_.resize(table_->tiles(), 0);
   for (std::size_t tile = 0; tile < nearness.tiles(); ++tile) to_make_ += nearness.isWritten(tile);
 }
 
@@ -93,8 +94,8 @@ void ScoreField::makeTiles(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
                            const Particles& particles) const {
   if (to_make_ == 0) return;
   constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
-  const int across = table_.stride() / kColumns;
-  const int down = static_cast<int>(table_.tiles()) / across;
+  const int across = table_->stride() / kColumns;
+  const int down = static_cast<int>(table_->tiles()) / across;
   const double reach = reachOf(x, y) / field_->lattice().resolution() + 2.0;  // cells
   constexpr double kMost = 65534.0;                                           // tiles
   const int rows = static_cast<int>(std::min(std::ceil(reach / kRows), kMost));
@@ -112,8 +113,8 @@ void ScoreField::makeTiles(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
       for (int c = std::max(0, column - columns); c <= std::min(column + columns, across - 1);
            ++c) {
         const auto tile = static_cast<std::size_t>(r * across + c);
-        if (table_.isWritten(tile) || !field_->nearness().isWritten(tile)) continue;
-        table_.write(tile);
+        if (table_->isWritten(tile) || !field_->nearness().isWritten(tile)) continue;
+        table_->write(tile);
         wanted.push_back(tile);
       }
     }
@@ -122,7 +123,7 @@ void ScoreField::makeTiles(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y,
   parallelFor(wanted.size(), 64, [&](const Chunk& chunk) {
     for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
       const std::uint16_t* near = field_->nearness().tile(wanted[k]);
-      std::transform(near, near + SparseGrid::kTileSize, table_.write(wanted[k]),
+      std::transform(near, near + SparseGrid::kTileSize, table_->write(wanted[k]),
                      [&](std::uint16_t n) { return by_nearness_[n]; });
     }
   });
@@ -141,8 +142,10 @@ void ScoreField::sumUp(const Eigen::ArrayXf& x, const Eigen::ArrayXf& y, const P
   const Eigen::ArrayXf hit_x = x * per_metre;
   const Eigen::ArrayXf hit_y = y * per_metre;
   const int hits = static_cast<int>(std::min<Eigen::Index>(x.size(), kMaxHits));
-  const FieldView view{table_.values(), table_.stride(), static_cast<float>(lattice.width()) + 1.5F,
-                       static_cast<float>(lattice.height()) + 1.5F};
+  const SparseGrid& table = table_ ? *table_ : field_->nearness();
+  const FieldView view{table.values(), table.stride(), static_cast<float>(lattice.width()) + 1.5F,
+                       static_cast<float>(lattice.height()) + 1.5F,
+                       table_ ? nullptr : by_nearness_.data()};
   parallelFor(static_cast<std::size_t>(particles.size()), kChunk, [&](const Chunk& chunk) {
     const Poses poses(lattice, particles, chunk);
     std::array<std::int32_t, kChunk> steps;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "adaptive_localization/core/particles.hpp"
@@ -16,16 +17,19 @@ namespace adaptive_localization {
 /// cell where that is near enough, and its sum over the hits of a scan for many poses at once.
 ///
 /// Tiles of the table are made when particles are first within reach of them: on a large map a
-/// robot that is tracked needs a few.
+/// robot that is tracked needs a few. Without a table each value is looked up by the cell's
+/// distance: the same sums, in almost twice the time, and at once.
 ///
 /// The sum is one of whole numbers, so it does not depend on its order: scalar code, AVX2 code and
 /// any number of threads give the same bits.
 class ScoreField {
  public:
+  enum class Table { kKept, kNone };
+
   /// value(distance in metres) must be monotone; distances above max_distance, or above the reach
   /// of the distance field, count as max_distance, and so does everything outside the map.
   ScoreField(std::shared_ptr<const DistanceField> field, double max_distance,
-             const std::function<double(double)>& value);
+             const std::function<double(double)>& value, Table table = Table::kKept);
 
   /// Sum of the values at the hits (end points in base, m) for each particle. At most
   /// kMaxHits hits. One thread at a time.
@@ -54,7 +58,7 @@ class ScoreField {
   double at_max_;
   double step_;                                        // of the value, from at_max_ on
   std::vector<std::uint16_t> by_nearness_;             // steps, by those of the distance field
-  mutable SparseGrid table_;                           // with a border of one cell
+  mutable std::optional<SparseGrid> table_;            // with a border of one cell
   mutable std::vector<std::uint16_t> is_made_around_;  // each tile: so many rows of tiles
   mutable std::size_t to_make_{0};                     // tiles
 };

@@ -33,10 +33,12 @@ class ScoreFieldSums : public testing::Test {
     }
   }
 
-  Eigen::ArrayXd sums(const Pose2& origin = {}) const {
+  using Table = ScoreField::Table;
+
+  Eigen::ArrayXd sums(const Pose2& origin = {}, Table table = Table::kKept) const {
     const auto map = asymmetricWorld(origin);
-    const ScoreField field(std::make_shared<const DistanceField>(*map), 2.0,
-                           [](double d) { return -d * d; });
+    const ScoreField field(
+        std::make_shared<const DistanceField>(*map), 2.0, [](double d) { return -d * d; }, table);
     const Scan scan = ToyLaser{}.observe(asymmetricWorld(), {1.2, 1.3, 0.3}).scan;
     Eigen::ArrayXd result(particles_.size());
     field.sum(scan.x, scan.y, particles_, result);
@@ -48,12 +50,20 @@ class ScoreFieldSums : public testing::Test {
 
 TEST_F(ScoreFieldSums, AreTheSameBitsWithAndWithoutVectorInstructions) {
   for (const Pose2& origin : {Pose2{}, Pose2{-3.0, 1.0, 0.7}}) {
-    ScoreField::usePortableInstructions(true);
-    const Eigen::ArrayXd portable = sums(origin);
-    ScoreField::usePortableInstructions(false);
-    const Eigen::ArrayXd fast = sums(origin);
-    EXPECT_TRUE((portable == fast).all()) << (portable - fast).abs().maxCoeff();
+    for (const Table table : {Table::kKept, Table::kNone}) {
+      ScoreField::usePortableInstructions(true);
+      const Eigen::ArrayXd portable = sums(origin, table);
+      ScoreField::usePortableInstructions(false);
+      const Eigen::ArrayXd fast = sums(origin, table);
+      EXPECT_TRUE((portable == fast).all()) << (portable - fast).abs().maxCoeff();
+    }
   }
+}
+
+TEST_F(ScoreFieldSums, AreTheSameBitsWithAndWithoutATable) {
+  const Eigen::ArrayXd with = sums(), without = sums({}, Table::kNone);
+  EXPECT_LT(with.minCoeff(), with.maxCoeff());
+  EXPECT_TRUE((with == without).all()) << (with - without).abs().maxCoeff();
 }
 
 TEST_F(ScoreFieldSums, AreTheSameBitsForAnyNumberOfThreads) {

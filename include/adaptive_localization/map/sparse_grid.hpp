@@ -37,7 +37,6 @@ class SparseGrid {
   }
   std::uint16_t at(int column, int row) const { return values_[index(column, row)]; }
 
-  /// One value more than the table has may be read.
   const std::uint16_t* values() const { return values_.get(); }
 
   /// Tiles are numbered along the rows of tiles. Different tiles may be written at the same time.
