@@ -51,14 +51,27 @@ int deepestWall(const Lattice& lattice) {
   return static_cast<int>(std::min(wallDepthInCells(lattice), 1e6)) + 1;
 }
 
+/// 255 in the cells of a box of the map that end beams, 0 elsewhere.
+cv::Mat endsOfBeams(const OccupancyGrid& grid, const cv::Rect& box) {
+  cv::Mat cells = occupiedCells(grid, box);
+  if (!grid.hasSpeckle()) return cells;
+  for (int y = 0; y < cells.rows; ++y) {
+    auto* row = cells.ptr<std::uint8_t>(y);
+    for (int x = 0; x < cells.cols; ++x) {
+      if (row[x] != 0 && !grid.endsBeams({box.x + x, box.y + y})) row[x] = 0;
+    }
+  }
+  return cells;
+}
+
 /// The cells of walls in a box of the map, 255, others 0; empty if there are none.
 cv::Mat wallsIn(const OccupancyGrid& grid, const cv::Rect& box) {
   const double depth = wallDepthInCells(grid.lattice());
   const cv::Rect map(0, 0, grid.lattice().width(), grid.lattice().height());
   const cv::Rect around = grown(box, deepestWall(grid.lattice())) & map;
-  const cv::Mat occupied = occupiedCells(grid, around);
-  if (cv::countNonZero(occupied) == 0) return {};
-  const cv::Mat walls = notDeeper(occupied, depth)(box - around.tl());
+  const cv::Mat ends = endsOfBeams(grid, around);
+  if (cv::countNonZero(ends) == 0) return {};
+  const cv::Mat walls = notDeeper(ends, depth)(box - around.tl());
   return cv::countNonZero(walls) == 0 ? cv::Mat() : walls;
 }
 
@@ -118,7 +131,8 @@ cv::Rect changedBy(const std::vector<MapPatch>& patches, const Lattice& lattice,
     changed |= cv::Rect(patch.corner.x + 1, patch.corner.y + 1, patch.width, patch.height);
   }
   const cv::Rect table(0, 0, lattice.width() + 2, lattice.height() + 2);
-  const cv::Rect near = grown(changed, reach + deepestWall(lattice)) & table;
+  const int most = reach + deepestWall(lattice) + OccupancyGrid::kSpeckleReach;
+  const cv::Rect near = grown(changed, most) & table;
   constexpr int kColumns = SparseGrid::kTileColumns, kRows = SparseGrid::kTileRows;
   const cv::Point corner(near.x / kColumns * kColumns, near.y / kRows * kRows);
   return cv::Rect(corner, roundedUp(cv::Size(near.br() - corner))) & table;
@@ -130,6 +144,7 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const StopToken& stop)
     : lattice_(grid.lattice()),
       step_(lattice_.resolution() / kStepsPerCell),
       reach_(reachInCells(lattice_) * kStepsPerCell),
+      has_speckle_(grid.hasSpeckle()),
       quality_(grid),
       nearness_(lattice_.width() + 2, lattice_.height() + 2) {
   const cv::Rect table(0, 0, lattice_.width() + 2, lattice_.height() + 2);
@@ -141,10 +156,13 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const DistanceField& bef
     : lattice_(grid.lattice()),
       step_(before.step_),
       reach_(before.reach_),
+      has_speckle_(grid.hasSpeckle()),
       quality_(grid),
       nearness_(before.nearness_) {
   const int reach = reach_ / kStepsPerCell;
-  const cv::Rect part = changedBy(patches, lattice_, reach);
+  const bool is_near = has_speckle_ == before.has_speckle_;  // what patches change
+  const cv::Rect all(0, 0, lattice_.width() + 2, lattice_.height() + 2);
+  const cv::Rect part = is_near ? changedBy(patches, lattice_, reach) : all;
   if (!part.empty()) fill(grid, part, reach, kStepsPerCell, stop, nearness_);
 }
 

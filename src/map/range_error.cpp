@@ -10,8 +10,8 @@ namespace adaptive_localization {
 double RangeError::missing(const Pose2& ray, double range, double max_range) const {
   constexpr double kRobot = 0.4;  // m, from the laser: no wall can be there, though the map has one
   const auto from = [&](const Pose2& start, double way) {
-    const RayCaster::Wall wall = ray_caster_.wall(start, max_range - way, wall_depth_);
     const double z = range - way;
+    const RayCaster::Wall wall = ray_caster_.wall(start, max_range - way, wall_depth_, z);
     return z < wall.near ? wall.near - z : std::min(0.0, wall.far - z);
   };
   const double plain = from(ray, 0.0);

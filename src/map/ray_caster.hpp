@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "adaptive_localization/map/distance_field.hpp"
@@ -28,11 +29,13 @@ class RayCaster {
   }
 
   /// Where along a ray the wall is that it meets first, m: the middles of its first cell and of the
-  /// last one before the ray leaves it, or comes `depth` deep.
+  /// last one before the ray leaves it, or comes `depth` deep, or the first that is as far as
+  /// `until`.
   struct Wall {
     double near, far;
   };
-  Wall wall(const Pose2& T_map_ray, double max_range, double depth) const;
+  Wall wall(const Pose2& T_map_ray, double max_range, double depth,
+            double until = std::numeric_limits<double>::infinity()) const;
 
  private:
   std::shared_ptr<const OccupancyGrid> grid_;

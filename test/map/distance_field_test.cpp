@@ -14,15 +14,15 @@
 namespace adaptive_localization {
 namespace {
 
-/// Occupied, and no deeper than 0.35 m below the nearest cell that is not.
+/// Ends beams, and is no deeper than 0.35 m below the nearest cell that does not.
 bool isWall(const OccupancyGrid& grid, const Cell& cell) {
-  if (!grid.isOccupied(cell)) return false;
+  if (!grid.endsBeams(cell)) return false;
   const double deepest = 1.0 + 0.35 / grid.lattice().resolution();  // cells
   const int reach = static_cast<int>(deepest);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const bool is_near = std::hypot(dx, dy) <= deepest;
-      if (is_near && !grid.isOccupied({cell.x + dx, cell.y + dy})) return true;
+      if (is_near && !grid.endsBeams({cell.x + dx, cell.y + dy})) return true;
     }
   }
   return false;
@@ -132,6 +132,36 @@ TEST(DistanceField, RunsStraightBetweenTheCentresOfCells) {
   }
   EXPECT_DOUBLE_EQ(field.between({-50.0, 0.0}), field.reach()) << "outside";
   EXPECT_DOUBLE_EQ(field.between({std::nan(""), 0.0}), field.reach());
+}
+
+std::shared_ptr<const OccupancyGrid> wallWithSpeckle(int speckle) {
+  std::vector<std::int8_t> cells(200 * 20, OccupancyGrid::kFree);
+  std::fill_n(cells.begin(), 200, OccupancyGrid::kOccupied);
+  for (int i = 0; i < speckle; ++i) {
+    cells[static_cast<std::size_t>(200 * 15 + 7 * i)] = OccupancyGrid::kOccupied;
+  }
+  return std::make_shared<const OccupancyGrid>(Lattice(200, 20, 0.05, {}), cells);
+}
+
+TEST(DistanceField, SpeckleIsNoWall) {
+  const auto grid = wallWithSpeckle(20);
+  ASSERT_TRUE(grid->hasSpeckle());
+  EXPECT_NEAR(DistanceField(*grid).at(Cell{70, 15}), 15 * 0.05, 1e-9);
+  const auto with_few = wallWithSpeckle(5);
+  ASSERT_FALSE(with_few->hasSpeckle());
+  EXPECT_EQ(DistanceField(*with_few).at(Cell{7, 15}), 0.0);
+}
+
+TEST(DistanceField, IsMadeAnewEverywhereWhereSpeckleAppears) {
+  const auto few = wallWithSpeckle(10);
+  ASSERT_FALSE(few->hasSpeckle());
+  MapPatch patch{{100, 15}, 29, 1, std::vector<std::int8_t>(29, OccupancyGrid::kFree)};
+  for (const std::size_t x : {0U, 7U, 14U, 21U, 28U}) patch.cells[x] = OccupancyGrid::kOccupied;
+  const OccupancyGrid many = few->with({patch});
+  ASSERT_TRUE(many.hasSpeckle());
+  const DistanceField before(*few), after(many, before, {patch});
+  EXPECT_EQ(before.at(Cell{0, 15}), 0.0);
+  EXPECT_NEAR(after.at(Cell{0, 15}), 15 * 0.05, 1e-9);
 }
 
 /// Patches anywhere, with walls that come and go and rock: cells deeper than walls are.

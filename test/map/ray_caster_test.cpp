@@ -97,6 +97,28 @@ TEST(RayCaster, FindsTheSameWallsByTheDistanceField) {
   }
 }
 
+TEST(RayCaster, FollowsAWallNoFartherThanIsAskedFor) {
+  const auto map = toyWorld({"..######.."}, 0.1);
+  const RayCaster caster(map);
+  const Pose2 ray{0.05, 0.05, 0.0};
+  for (int cell = 0; cell < 6; ++cell) {
+    const double middle = 0.2 + 0.1 * cell;
+    EXPECT_NEAR(caster.wall(ray, 9.0, 2.0, middle - 0.01).far, middle, 1e-9);
+  }
+  EXPECT_NEAR(caster.wall(ray, 9.0, 2.0, 0.05).far, 0.2, 1e-9);
+  EXPECT_NEAR(caster.wall(ray, 9.0, 2.0, 5.0).far, 0.7, 1e-9);
+  EXPECT_NEAR(caster.wall(ray, 9.0, 0.25, 5.0).far, 0.4, 1e-9) << "nor deeper";
+}
+
+TEST(RayCaster, BeginsDeepInRock) {
+  const auto map = toyWorld(Art(40, std::string(40, '#')), 0.1);
+  const RayCaster plain(map), quick(map, std::make_shared<const DistanceField>(*map));
+  const Pose2 ray{2.03, 2.01, 0.4};
+  EXPECT_LT(quick.range(ray, 9.0), 0.1);
+  EXPECT_DOUBLE_EQ(quick.range(ray, 9.0), plain.range(ray, 9.0));
+  EXPECT_DOUBLE_EQ(quick.wall(ray, 9.0, 0.5).far, plain.wall(ray, 9.0, 0.5).far);
+}
+
 TEST(RayCaster, IsExactAlongTheAxes) {
   const auto map = toyWorld({"#####", "#...#", "#...#", "#...#", "#####"}, 1.0);
   const RayCaster caster(map);

@@ -16,7 +16,7 @@ struct NearnessView;
 /// (OpenCV's precise transform, Felzenszwalb and Huttenlocher 2012). Walls are the occupied cells
 /// down to kWallDepth below their faces: where a map was made inexactly they are thick, and a laser
 /// sees what is in their middle. Deeper is no wall: all of a scan would fit into the rock around a
-/// small room.
+/// small room. Nor are isolated cells of a map with speckle.
 ///
 /// Distances end at a reach of 5 m, or of 16 cells where that is more, or 1023 where that is less:
 /// what is farther from any wall, or outside the map, is at the reach and takes no memory. Steps of
@@ -69,7 +69,8 @@ class DistanceField {
 
   Lattice lattice_;
   double step_;
-  int reach_;  // steps
+  int reach_;         // steps
+  bool has_speckle_;  // the map
   MapQuality quality_;
   SparseGrid nearness_;
 };

@@ -51,6 +51,9 @@ class OccupancyGrid {
   /// chairs, comes in clusters.
   bool hasSpeckle() const { return has_speckle_; }
 
+  /// How far a cell is, along x or y, from those that tell whether it is isolated.
+  static constexpr int kSpeckleReach = 2;
+
   std::size_t countFree() const;
 
  private:
