@@ -11,6 +11,8 @@ constexpr Eigen::Index kBeams = 90;        // looked at, of a scan that has more
 constexpr double kLeastStep = 0.005;       // m: steps are halved down to this for a place that was
 constexpr double kLeastStepHere = 0.0015;  // m: searched, and for one that is followed
 
+constexpr int kMoves = 6, kNoMove = -1;  // along x, y and theta, to and fro
+
 Eigen::Index strideFor(Eigen::Index beams) {
   return std::max<Eigen::Index>(1, beams / kBeams);
 }
@@ -51,21 +53,26 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   double turn = 0.5 * kDirectionStep;                                  // rad
   const double least_step = stiffness > 0.0 ? kLeastStepHere : kLeastStep;
   double best = cost(pose);
-  while (step > least_step) {
-    const Pose2 moves[] = {{step, 0, 0},  {-step, 0, 0}, {0, step, 0},
-                           {0, -step, 0}, {0, 0, turn},  {0, 0, -turn}};
-    bool better = false;
-    for (const Pose2& move : moves) {
-      const Pose2 moved{pose.x + move.x, pose.y + move.y, wrapAngle(pose.theta + move.theta)};
-      const double value = cost(moved);
-      if (!(value < best)) continue;  // nor what is no number
+  int failed = 0, back = kNoMove;  // moves in a row that were no better; the one that goes back
+  for (int k = 0; step > least_step; k = (k + 1) % kMoves) {
+    const double by = k % 2 == 0 ? 1.0 : -1.0;
+    Pose2 moved = pose;
+    if (k / 2 == 0) moved.x += by * step;
+    if (k / 2 == 1) moved.y += by * step;
+    if (k / 2 == 2) moved.theta = wrapAngle(moved.theta + by * turn);
+    const double value = k == back ? best : cost(moved);
+    if (value < best) {  // not what is no number
       best = value;
       pose = moved;
-      better = true;
+      failed = 0;
+      back = k ^ 1;
+    } else if (++failed == kMoves) {
+      step *= 0.5;
+      turn *= 0.5;
+      failed = 0;
+      back = kNoMove;
+      k = kMoves - 1;
     }
-    if (better) continue;
-    step *= 0.5;
-    turn *= 0.5;
   }
   return {pose, error(pose)};
 }
