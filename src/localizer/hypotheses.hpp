@@ -14,6 +14,7 @@
 #include "localizer/tracking_odds.hpp"
 #include "map/range_error.hpp"
 #include "ser/place.hpp"
+#include "ser/search_pose.hpp"
 
 namespace adaptive_localization {
 
@@ -134,6 +135,9 @@ class Hypotheses {
   /// explained the first scan as well as it did.
   bool isByWord() const;
 
+  /// What the next scan takes to be compared with them, as the work of searches is counted.
+  SearchWork work() const;
+
   /// The least mean range error of the last scan, m.
   double leastError() const { return least_error_; }
 
@@ -202,6 +206,7 @@ class Hypotheses {
                    double usual);
 
   bool hasLeader() const;
+  std::size_t roomForOthers() const;
   bool keepsOne() const;
   double bestBesidesWord() const;
   void choose(double share);

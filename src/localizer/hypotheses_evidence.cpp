@@ -62,6 +62,17 @@ bool Hypotheses::hasLeader() const {
   return best - second > kMargin;
 }
 
+/// Than the likeliest, to be judged by the next scan.
+std::size_t Hypotheses::roomForOthers() const {
+  return hasLeader() ? kInTurn : kAtOnce;
+}
+
+SearchWork Hypotheses::work() const {
+  constexpr SearchWork kAlignedPlace = 4000;
+  const std::size_t judged = std::min(all_.size(), kLikeliest + roomForOthers());
+  return kAlignedPlace * static_cast<SearchWork>(judged);
+}
+
 /// Of places that are sorted, likeliest first.
 std::size_t Hypotheses::firstUnlikely(Against against) const {
   const double best = bestBesidesWord(), most = std::exp(-kMargin);
@@ -78,7 +89,7 @@ std::size_t Hypotheses::firstUnlikely(Against against) const {
 /// Those that the scan judges; share is how much of it is new. What a search aligned with it costs
 /// no more time.
 void Hypotheses::choose(double share) {
-  std::size_t room = hasLeader() ? kInTurn : kAtOnce, likeliest = 0, added = 0;
+  std::size_t room = roomForOthers(), likeliest = 0, added = 0;
   std::vector<Hypothesis*> others;
   for (Hypothesis& hypothesis : all_) {
     hypothesis.share = std::min(1.0, hypothesis.share + share);

@@ -22,9 +22,12 @@ SearchWork workIn(double milliseconds) {
   return static_cast<SearchWork>(std::min(1e15, milliseconds * kPosesPerMillisecond));
 }
 
-/// What may be searched in an update.
-SearchWork workFor(const LocalizerOptions& options) {
-  return options.update_budget > 0.0 ? workIn(options.update_budget) : kUnlimitedWork;
+/// What may be searched in an update, beside what it takes to compare places.
+SearchWork workFor(const LocalizerOptions& options, SearchWork comparing) {
+  constexpr SearchWork kLeastShare = 5;  // one of so many
+  if (options.update_budget <= 0.0) return kUnlimitedWork;
+  const SearchWork all = workIn(options.update_budget);
+  return std::max(all - comparing, all / kLeastShare);
 }
 
 /// Plug-ins may answer anything.
@@ -119,7 +122,7 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   const Pose2 by_wheels = first ? Pose2{} : between(*T_odom_base_at_update_, T_odom_base);
   const bool is_new = first || recovery_->isUnverified(observations);  // also once there is a grid
   const bool is_done_between = std::exchange(is_searched_on_, false);
-  const SearchWork work = is_done_between ? 0 : workFor(setup_.options);
+  const SearchWork work = is_done_between ? 0 : workFor(setup_.options, recovery_->work());
   ground_.places->beginUpdate(T_odom_base, is_new ? kUnlimitedWork : work);
   gyroscope_.observe(T_odom_base, observations);
   sonars_.hear(T_odom_base, observations);

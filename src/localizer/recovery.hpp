@@ -76,6 +76,9 @@ class Recovery {
   /// the likely place that it is in.
   Pose2 published(const Pose2& T_map_base_by_odometry, const Estimate& estimate) const;
 
+  /// What the next scan takes to be compared with places, as the work of searches is counted.
+  SearchWork work() const { return hypotheses_.work(); }
+
   /// The places where the robot may be, likeliest first; empty if there is no other than the
   /// core's.
   const std::vector<Mode>& modes() const { return modes_; }

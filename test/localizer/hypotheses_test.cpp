@@ -280,6 +280,21 @@ TEST(Hypotheses, AllAreJudgedWhereNoneIsFarLikelierThanTheOthers) {
   }
 }
 
+TEST(Hypotheses, TakeWorkByThoseThatTheNextScanJudges) {
+  const auto workOf = [](int others, double lead) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth, lead);
+    for (int i = 0; i < others; ++i) hypotheses.add({0.6 * i, 1.0 + 0.1 * i, 2.0}, 0.0);
+    return hypotheses.work();
+  };
+  EXPECT_EQ(Hypotheses(asymmetricWorld()).work(), 0);
+  const SearchWork one = workOf(0, 0.0);
+  EXPECT_GT(one, 0);
+  EXPECT_EQ(workOf(19, 0.0), 20 * one);
+  EXPECT_EQ(workOf(19, 10.0), 8 * one) << "one leads: the likeliest four, and four in turn";
+  EXPECT_EQ(workOf(70, 0.0), 44 * one) << "no more than so many at once";
+}
+
 TEST(Hypotheses, HoldACoreThatDriftedOffAsLongAsScansFitWhereItIs) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
