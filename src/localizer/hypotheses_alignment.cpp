@@ -10,6 +10,19 @@
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+/// From where it is and, if a search found it elsewhere, from there.
+Place alignedWith(const PlaceRefiner& refiner, const Hypothesis& hypothesis) {
+  const Place place =
+      hypothesis.aligned ? *hypothesis.aligned : refiner.align(hypothesis.T_map_base);
+  const std::optional<Pose2>& found = hypothesis.T_map_found;
+  if (!found || refiner.error(*found) >= place.error) return place;
+  const Place again = refiner.align(*found);
+  return Hypotheses::withTolerance(again.error) < place.error ? again : place;
+}
+
+}  // namespace
 
 PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
   return {ground_.map, ground_.field, scan, scan.max_range, RangeError::kTruncation};
@@ -45,11 +58,10 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
 void Hypotheses::alignDue(const PlaceRefiner& refiner) {
   std::vector<Hypothesis*> due;
   for (Hypothesis& hypothesis : all_) {
-    if (hypothesis.is_due && !hypothesis.aligned) due.push_back(&hypothesis);
+    if (hypothesis.is_due) due.push_back(&hypothesis);
   }
   parallelFor(due.size(), 1, [&](const Chunk& chunk) {
-    Hypothesis& hypothesis = *due[chunk.begin];
-    hypothesis.aligned = refiner.align(hypothesis.T_map_base);
+    due[chunk.begin]->aligned = alignedWith(refiner, *due[chunk.begin]);
   });
 }
 
@@ -63,10 +75,6 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for
     hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
     Place place = *std::exchange(hypothesis.aligned, {});
-    if (hypothesis.T_map_found && refiner.error(*hypothesis.T_map_found) < place.error) {
-      const Place found = refiner.align(*hypothesis.T_map_found);
-      if (withTolerance(found.error) < place.error) place = found;
-    }
     if (hypothesis.T_map_core) {
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);

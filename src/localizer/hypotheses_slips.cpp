@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "localizer/hypotheses.hpp"
 #include "localizer/usual_error.hpp"
 #include "ser/place_refiner.hpp"
@@ -20,11 +21,8 @@ bool isSlip(const Pose2& slip) {
 Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
   constexpr int kWays = 8, kTurns = 3;
   constexpr double kStep = 0.4, kTurn = 0.3;  // m, rad
-  Place best{ridden, RangeError::kTruncation};
-  const auto tryFrom = [&](const Pose2& slip) {
-    const Place there = refiner.align(ridden * slip);
-    if (there.error < best.error) best = there;
-  };
+  std::vector<Place> places;
+  const auto tryFrom = [&](const Pose2& slip) { places.push_back({ridden * slip}); };
   for (const double far : {kStep, 2.0 * kStep}) {
     for (int i = 0; i < kWays; ++i) {
       const double way = 2.0 * kPi * i / kWays;
@@ -32,7 +30,10 @@ Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
     }
   }
   for (int i = -kTurns; i <= kTurns; ++i) tryFrom({0.0, 0.0, kTurn * i});
-  return best;
+  parallelFor(places.size(), 1, [&](const Chunk& chunk) {
+    places[chunk.begin] = refiner.align(places[chunk.begin].T_map_base);
+  });
+  return *std::min_element(places.begin(), places.end(), fitsBetter);
 }
 
 }  // namespace
