@@ -100,7 +100,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   if (!tells(observations)) return seeNothing(estimate, all);
   blind_ = 0;
   confidence_.observe(estimate, observations);
-  if (isGarbled(T_map_base, observations.scan)) odds_.seeNothing();
+  if (isGarbled(T_map_base, observations.scan)) odds_.seeNothing(motion);
   const double error = errorAt(T_map_base, observations);
   const bool is_nowhere = !is_settled_ && odds_.areSpent();  // what the race is between is void
   const bool fits_on = !is_nowhere && error <= kWorse * std::max(error_, usual_.value());

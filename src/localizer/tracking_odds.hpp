@@ -48,7 +48,14 @@ class TrackingOdds {
     return alike == 0 || value_ - kSudden > kMargin + std::log(alike);
   }
 
-  void seeNothing() { value_ *= 0.9; }
+  void seeNothing() { value_ *= kLeft; }
+
+  /// The same by each tenth of a metre or radian of such scans, or by ten scans from one place.
+  void seeNothing(const Pose2& motion) {
+    constexpr double kStep = 0.1, kLeast = 0.1;  // m or rad; of a step
+    const double way = std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+    value_ *= std::pow(kLeft, std::clamp(way / kStep, kLeast, 1.0));
+  }
 
   /// Down to what a search for the place would tell.
   void lose(double log_odds) { value_ = std::max(std::min(value_, kFound), value_ - log_odds); }
@@ -73,6 +80,7 @@ class TrackingOdds {
 
  private:
   static constexpr double kInitial = 9.0, kFound = 3.0, kMost = 18.0;
+  static constexpr double kLeft = 0.9;      // by a scan that sees nothing
   static constexpr double kCarried = 10.0;  // two scans of 31 000 did otherwise
   static constexpr double kSudden = 9.0;    // of a tracked robot, five scans of 6500 did otherwise
   static constexpr double kPerMetre = 3.0, kPerMetreLost = 1.0;

@@ -726,10 +726,10 @@ TEST(Recovery, APlaceThatWheelsSlippedToInheritsTheOddsOfTheOneThatWasLeft) {
   EXPECT_EQ(watched.placesAfterAJumpFrom(kAtTheBlock), 1U);
 }
 
-/// Of a tracked robot to which some scans of another kind were sent: how many places are left once
-/// its core jumps along the hall.
+/// Of a tracked robot to which some scans of another kind were sent while it drove to and fro: how
+/// many places are left once its core jumps along the hall.
 std::size_t placesAfter(int scans, const std::function<Observations(const Observations&)>& changed,
-                        double view = kPi) {
+                        double view = kPi, double step = 0.1) {
   WatchedInTheHall watched;
   Pose2 truth = kAtTheBlock;
   watched.tell(truth);
@@ -739,7 +739,9 @@ std::size_t placesAfter(int scans, const std::function<Observations(const Observ
   for (int i = 0; i < scans; ++i) {
     Observations sent = changed(seen);
     sent.scan.view.width = view;
-    watched.observe(sent, truth);
+    const Pose2 motion{i % 2 == 0 ? -step : step, 0.0, 0.0};
+    truth = truth * motion;
+    watched.observe(sent, truth, motion);
   }
   for (int i = 0; i < 3; ++i) watched.see(truth, truth);
   return watched.placesAfterAJumpFrom(truth);
@@ -763,6 +765,8 @@ TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessSomethingFillsACameras
   EXPECT_EQ(placesAfter(60, hidden, kCamera), 1U);
   EXPECT_GT(placesAfter(60, beyond, kCamera), 1U);
   EXPECT_GT(placesAfter(60, hidden), 1U);
+  EXPECT_EQ(placesAfter(60, hidden, kPi, 0.0), 1U)
+      << "from one place they are hardly more than one";
 }
 
 /// Two scans told lies: the core was moved to where they seemed to be from.

@@ -53,6 +53,20 @@ TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
   EXPECT_EQ(odds.value(), 0.0);
 }
 
+TEST(TrackingOdds, AreLostByTheWayOnWhichNothingFits) {
+  TrackingOdds odds(true), standing(true), by_steps(true), once(true);
+  for (int i = 0; i < 10; ++i) standing.seeNothing({});
+  for (int i = 0; i < 4; ++i) by_steps.seeNothing({0.015, 0.02, 0.0});
+  once.seeNothing({0.0, 0.0, -0.1});
+  odds.seeNothing();
+  for (const TrackingOdds& other : {standing, by_steps, once}) {
+    EXPECT_NEAR(other.value(), odds.value(), 1e-9);
+  }
+  once.seeNothing({2.0, 0.0, 0.0});
+  odds.seeNothing();
+  EXPECT_NEAR(once.value(), odds.value(), 1e-9) << "no more than by a scan";
+}
+
 TEST(TrackingOdds, AreLostToScansAndByBeingCarriedDownToWhatASearchWouldTell) {
   TrackingOdds odds(true);
   odds.lose(4.0);
