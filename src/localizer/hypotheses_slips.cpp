@@ -2,6 +2,7 @@
 // Where the wheels can have slipped to from the place that was known.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/parallel.hpp"
 #include "localizer/hypotheses.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "localizer/search_pace.hpp"
 
 namespace adaptive_localization {
 
@@ -53,8 +54,7 @@ class TrackingOdds {
   /// The same by each tenth of a metre or radian of such scans, or by ten scans from one place.
   void seeNothing(const Pose2& motion) {
     constexpr double kStep = 0.1, kLeast = 0.1;  // m or rad; of a step
-    const double way = std::hypot(motion.x, motion.y) + std::abs(motion.theta);
-    value_ *= std::pow(kLeft, std::clamp(way / kStep, kLeast, 1.0));
+    value_ *= std::pow(kLeft, std::clamp(wayOf(motion) / kStep, kLeast, 1.0));
   }
 
   /// Down to what a search for the place would tell.

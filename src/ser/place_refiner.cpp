@@ -65,13 +65,13 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
       best = value;
       pose = moved;
       failed = 0;
-      back = k ^ 1;
+      back = k ^ 1;  // moves come in pairs
     } else if (++failed == kMoves) {
       step *= 0.5;
       turn *= 0.5;
       failed = 0;
       back = kNoMove;
-      k = kMoves - 1;
+      k = kMoves - 1;  // on with the first
     }
   }
   return {pose, error(pose)};
