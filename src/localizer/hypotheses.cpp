@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "localizer/search_pace.hpp"
 #include "ser/place.hpp"
 
 namespace adaptive_localization {
@@ -137,17 +136,13 @@ bool Hypotheses::isByWord() const {
 }
 
 void Hypotheses::ride(const Pose2& motion) {
-  for (Hypothesis& hypothesis : all_) {
-    hypothesis.T_map_base = hypothesis.T_map_base * motion;
-    hypothesis.way += wayOf(motion);
-    hypothesis.T_map_found.reset();
-  }
+  for (Hypothesis& hypothesis : all_) hypothesis.ride(motion);
   T_map_kept_ = T_map_kept_ * motion;
 }
 
 void Hypotheses::moveKept(const Pose2& T_map_base) {
   for (Hypothesis& hypothesis : all_) {
-    if (hypothesis.was_believed) hypothesis.T_map_base = T_map_base;
+    if (hypothesis.was_believed) hypothesis.moveTo(T_map_base);
   }
   T_map_kept_ = T_map_base;
 }

@@ -51,6 +51,9 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   const bool is_now = leads_away || now.error <= withTolerance(before.error);
   const Place& place = is_now ? now : before;
   const double error = refiner.error(T_map_core);
+  const bool slides = hypothesis.was_believed && hypothesis.wouldSlideTo(place.T_map_base) &&
+                      !hypothesis.wouldSlideTo(T_map_core);
+  if (slides) return {T_map_core, error};
   is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
   return place;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "adaptive_localization/core/pose2.hpp"
+#include "localizer/search_pace.hpp"
 #include "map/range_error.hpp"
 #include "ser/place.hpp"
 
@@ -28,11 +30,13 @@ struct Hypothesis {
   bool has_slipped{false};   // from there, or from where that one slipped to
   std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
   std::optional<Place> aligned{};                    // with the next scan
-  Pose2 T_map_ridden{};  // by odometry alone, before it was aligned with the last scan
-  bool is_new{true};     // not judged yet: a scan counts in full
-  bool is_due{true};     // to be judged by this scan
-  int waited{0};         // scans since it was judged,
-  double share{0.0};     // and how much of them was new
+  Pose2 T_map_ridden{};             // by odometry alone, before it was aligned with the last scan
+  Pose2 T_map_rolled = T_map_base;  // by odometry alone, since it is one of the places:
+  double rolled{0.0}, turned{0.0};  // so far, m and rad
+  bool is_new{true};                // not judged yet: a scan counts in full
+  bool is_due{true};                // to be judged by this scan
+  int waited{0};                    // scans since it was judged,
+  double share{0.0};                // and how much of them was new
   double error{RangeError::kTruncation};  // of the last scan, m
   bool is_explained{false};               // it speaks against no place less
   bool is_spared{false};  // it would rule the place out, were it not kept and did not most fit
@@ -45,6 +49,28 @@ struct Hypothesis {
 
   /// The place that was believed in, or where the wheels slipped to from there.
   bool isKnown() const { return was_believed || has_slipped; }
+
+  /// Odometry rolls on.
+  void ride(const Pose2& motion) {
+    T_map_base = T_map_base * motion;
+    T_map_rolled = T_map_rolled * motion;
+    rolled += std::hypot(motion.x, motion.y);
+    turned += std::abs(motion.theta);
+    way += wayOf(motion);
+    T_map_found.reset();
+  }
+
+  void moveTo(const Pose2& T_map_moved) {
+    T_map_base = T_map_rolled = T_map_moved;
+    rolled = turned = 0.0;
+  }
+
+  /// To be at a pose it would have moved by more than wheels can slip on the way they rolled.
+  bool wouldSlideTo(const Pose2& pose) const {
+    const double off = 0.3 + rolled + 0.2 * turned;  // m
+    return distance(T_map_rolled, pose) > off ||
+           std::abs(wrapAngle(pose.theta - T_map_rolled.theta)) > 0.25 + turned;
+  }
 
   /// The wheels slipped from here to another place, which no scan told from all others yet.
   Hypothesis slippedTo(const Pose2& T_map_slipped) const {

@@ -370,6 +370,22 @@ TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   EXPECT_LT(distance(modes[1].T_map_base, kTruth), 0.05);
 }
 
+/// Step by step along a wall with gaps, say, while odometry and the core have the robot stand.
+TEST(Hypotheses, AKnownPlaceDoesNotSlideAwayFromOdometryAndTheCore) {
+  const Pose2 there = kTruth * Pose2{-0.45, 0.0, 0.0};
+  const auto placeOf = [&](const Pose2& core, const Pose2& motion) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.addKept(there * between(motion, Pose2{}), TrackingOdds(true));
+    hypotheses.ride(motion);
+    hypotheses.note(core);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+    return hypotheses.modes().front().T_map_base;
+  };
+  EXPECT_THAT(placeOf(there, {}), PoseNear(there, 1e-9, 1e-9));
+  EXPECT_THAT(placeOf(kTruth, {}), PoseNear(kTruth, 0.05, 0.02)) << "the core went there as well";
+  EXPECT_THAT(placeOf(there, {0.3, 0.0, 0.0}), PoseNear(kTruth, 0.05, 0.02)) << "wheels can slip";
+}
+
 /// A core that turned away from it is in the same spot.
 TEST(Hypotheses, AnAlignmentThatTurnsBackFromTheCoreIsOfTheSamePlace) {
   const Pose2 ridden = kTruth * Pose2{0.02, 0.0, 0.1}, core = kTruth * Pose2{0.0, 0.0, 0.4};
