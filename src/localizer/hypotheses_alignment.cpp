@@ -36,7 +36,8 @@ void Hypotheses::follow(const Scan& scan, double usual) {
 
 /// The better one of two ways to the core's place: from where it was and from where the core is.
 /// One that leads away from where both odometry and the core have it, as along a wall with gaps,
-/// leads to another place: odds that were earned do not go there.
+/// leads to another place: odds that were earned do not go there. Step by step a known place could
+/// go there as well: where odometry and the core say that it did not, it is where the core is.
 Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
                               const Place& before, double usual) {
   const Pose2 T_map_core = *hypothesis.T_map_core, ridden = hypothesis.T_map_ridden;

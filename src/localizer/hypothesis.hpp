@@ -67,9 +67,9 @@ struct Hypothesis {
 
   /// To be at a pose it would have moved by more than wheels can slip on the way they rolled.
   bool wouldSlideTo(const Pose2& pose) const {
-    const double off = 0.3 + rolled + 0.2 * turned;  // m
-    return distance(T_map_rolled, pose) > off ||
-           std::abs(wrapAngle(pose.theta - T_map_rolled.theta)) > 0.25 + turned;
+    constexpr double kOff = 0.3, kPerTurn = 0.2, kTurned = 0.25;  // m, m/rad, rad
+    return distance(T_map_rolled, pose) > kOff + rolled + kPerTurn * turned ||
+           std::abs(wrapAngle(pose.theta - T_map_rolled.theta)) > kTurned + turned;
   }
 
   /// The wheels slipped from here to another place, which no scan told from all others yet.

@@ -12,8 +12,8 @@ namespace adaptive_localization {
 namespace {
 
 // Work as that of looking at so many poses.
-constexpr SearchWork kRefinedPlace = 8000;
-constexpr SearchWork kJudgedPlace = 3000;
+constexpr SearchWork kRefinedPlace = 3000;
+constexpr SearchWork kJudgedPlace = 2000;
 constexpr SearchWork kComparedPose = 8;  // with the places near it
 
 constexpr std::size_t kJudgedAfter = 30, kRefinedAfter = 8;  // places
@@ -68,12 +68,19 @@ bool PlaceSearch::partPoses(SearchWork& left) {
   return true;
 }
 
-/// Below the lattice's spacing.
+/// Below the lattice's spacing, some at once: all threads do.
 bool PlaceSearch::refinePlaces(SearchWork& left) {
-  for (; refined_ < distinct_.size(); ++refined_) {
+  constexpr std::size_t kAtOnce = 8;
+  if (refined_ == 0) places_.resize(distinct_.size());
+  while (refined_ < distinct_.size()) {
     if (left <= 0) return false;
-    places_.push_back(refiner_->refine(distinct_[refined_]));
-    left -= kRefinedPlace;
+    const std::size_t count = std::min(kAtOnce, distinct_.size() - refined_);
+    parallelFor(count, 1, [&](const Chunk& chunk) {
+      const std::size_t i = refined_ + chunk.begin;
+      places_[i] = refiner_->refine(distinct_[i]);
+    });
+    refined_ += count;
+    left -= kRefinedPlace * static_cast<SearchWork>(count);
   }
   places_ = bestFirst(std::move(places_));
   return true;
