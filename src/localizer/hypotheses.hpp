@@ -210,6 +210,7 @@ class Hypotheses {
   bool keepsOne() const;
   double bestBesidesWord() const;
   void choose(double share);
+  double trustInScans() const;
   double loss(double error, double usual) const;
   double tolerated(double level) const;
   void alignDue(const PlaceRefiner& refiner);

@@ -130,6 +130,18 @@ double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, b
   return std::min(news.share * lost, news.sight * most);
 }
 
+/// How much of what a scan says counts. Where even the likeliest place has lost odds, the map is
+/// not as the world is, and what scans say against the others is worth less than it looks: it is
+/// tempered (the learning rate of a Bayesian whose models are all wrong: Gruenwald 2012).
+double Hypotheses::trustInScans() const {
+  constexpr double kHalf = 6.0;  // log odds lost by the likeliest: a scan counts half
+  if (all_.empty()) return 1.0;
+  const auto best = std::max_element(
+      all_.begin(), all_.end(),
+      [](const Hypothesis& a, const Hypothesis& b) { return a.log_odds < b.log_odds; });
+  return 1.0 / (1.0 + std::max(0.0, -best->log_odds) / kHalf);
+}
+
 void Hypotheses::weigh(const Observations& observations, const News& news, double usual) {
   const Scan& scan = observations.scan;
   const bool is_seen = scan.hits() > 0;
@@ -142,6 +154,7 @@ void Hypotheses::weigh(const Observations& observations, const News& news, doubl
     least_error_ = std::min(least_error_, other.error);
   }
   const bool fits = least_error_ <= std::max(kGoodFit, withTolerance(usual));
+  const double trust = trustInScans();
   const Eigen::ArrayXXd scored = scores(observations);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     Hypothesis& hypothesis = all_[i];
@@ -149,7 +162,7 @@ void Hypotheses::weigh(const Observations& observations, const News& news, doubl
     const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
     const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) {
-      const double lost = lostBy(refiner, hypothesis, fits, usual, {worth, news.sight});
+      const double lost = trust * lostBy(refiner, hypothesis, fits, usual, {worth, news.sight});
       hypothesis.log_odds -= lost;
       hypothesis.refuted += hypothesis.is_refuted ? lost : 0.0;
     }

@@ -174,6 +174,24 @@ TEST(Hypotheses, WhereWallsAreRoughLittleIsSaid) {
 }
 
 /// Of something that the map does not have, say.
+/// What a scan takes from the odds of a place where some of it does not fit.
+double lossWhereTheBestHas(double log_odds) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, log_odds);
+  hypotheses.add(kWrong, log_odds);
+  hypotheses.weigh(seenAt(kTruth), News{0.1, 1.0}, kUsual);  // in full: places are new
+  hypotheses.weigh(seenAt(kTruth), News{0.1, 1.0}, kUsual);
+  return std::log(massOf(hypotheses, kTruth) / massOf(hypotheses, kWrong));
+}
+
+TEST(Hypotheses, WhereEvenTheLikeliestHasLostOddsAScanSaysLess) {
+  const double lost = lossWhereTheBestHas(0.0);
+  EXPECT_GT(lost, 1.0);
+  EXPECT_NEAR(lossWhereTheBestHas(-6.0), 0.5 * lost, 0.01 * lost);
+  EXPECT_NEAR(lossWhereTheBestHas(-18.0), 0.25 * lost, 0.01 * lost);
+  EXPECT_NEAR(lossWhereTheBestHas(6.0), lost, 0.01 * lost) << "it has none to make up for";
+}
+
 TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
