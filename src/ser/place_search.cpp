@@ -68,13 +68,15 @@ bool PlaceSearch::partPoses(SearchWork& left) {
   return true;
 }
 
-/// Below the lattice's spacing, some at once: all threads do.
+/// Below the lattice's spacing; all threads do, as many at once as there is work left for.
 bool PlaceSearch::refinePlaces(SearchWork& left) {
-  constexpr std::size_t kAtOnce = 8;
+  constexpr SearchWork kAtOnce = 8;
   if (refined_ == 0) places_.resize(distinct_.size());
   while (refined_ < distinct_.size()) {
     if (left <= 0) return false;
-    const std::size_t count = std::min(kAtOnce, distinct_.size() - refined_);
+    const auto paid =
+        static_cast<std::size_t>(std::clamp(left / kRefinedPlace, SearchWork{1}, kAtOnce));
+    const std::size_t count = std::min(paid, distinct_.size() - refined_);
     parallelFor(count, 1, [&](const Chunk& chunk) {
       const std::size_t i = refined_ + chunk.begin;
       places_[i] = refiner_->refine(distinct_[i]);
