@@ -80,14 +80,6 @@ double Hypotheses::refuted() const {
   return most;
 }
 
-double Hypotheses::lostByKept() const {
-  double most = 0.0;
-  for (const Hypothesis& hypothesis : all_) {
-    if (hypothesis.was_believed) most = std::max(most, hypothesis.prior - hypothesis.log_odds);
-  }
-  return most;
-}
-
 bool Hypotheses::lackSome(Against against) const {
   if (!left_out_) return false;
   const double all = *left_out_ + (against == Against::kTogether ? std::log(left_out_count_) : 0.0);

@@ -188,9 +188,6 @@ class Hypotheses {
   /// so that furniture is no excuse, or it fits another place twice as well. Log odds.
   double refuted() const;
 
-  /// What the kept place lost to all scans, log odds.
-  double lostByKept() const;
-
   /// Likeliest first; their masses sum up to 1. Of those that a scan judged, if it judged any.
   std::vector<Mode> modes() const;
 

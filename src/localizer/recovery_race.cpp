@@ -126,7 +126,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
     leaveOdds();
     proof_.demand();
   }
-  if (odds_.ruleOut(alike_, hypotheses_.lostByKept())) proof_.trust();
+  if (odds_.ruleOut(alike_)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = areMany() || isOneOfMany();
   doubted_.clear();

@@ -44,9 +44,9 @@ class TrackingOdds {
   bool areSpent() const { return value_ <= kFound; }
 
   /// Whether they rule out that the robot was carried to one of so many places that look alike, by
-  /// a scan that suddenly fitted far worse; `lost` of them were lost to the scans since then.
-  bool ruleOut(int alike, double lost = 0.0) const {
-    return alike == 0 || value_ - lost - kSudden > kMargin + std::log(alike);
+  /// a scan that suddenly fitted far worse.
+  bool ruleOut(int alike) const {
+    return alike == 0 || value_ - kSudden > kMargin + std::log(alike);
   }
 
   void seeNothing() { value_ *= kLeft; }

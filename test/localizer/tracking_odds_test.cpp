@@ -109,8 +109,6 @@ TEST(TrackingOdds, RuleOutPlacesThatLookAlikeByWhatIsEarnedAndByTheirNumber) {
   EXPECT_TRUE(odds.ruleOut(1));
   EXPECT_TRUE(odds.ruleOut(20));
   EXPECT_FALSE(odds.ruleOut(21));
-  EXPECT_TRUE(odds.ruleOut(1, 2.9)) << "log odds that scans took since";
-  EXPECT_FALSE(odds.ruleOut(1, 3.1));
 }
 
 }  // namespace adaptive_localization
