@@ -27,7 +27,7 @@ double shareAt(double belief, const std::array<Point, N>& points) {
 
 /// How often a place that is one of several is the right one, by the belief in it: odds know
 /// nothing of what a map does not show, nor of somebody who told a wrong place. Values were fitted
-/// to 600 000 scans, in worlds of places that look alike and on recordings with poor maps
+/// to some hundred thousand scans, in worlds of places that look alike and on recordings with poor maps
 /// (calibration of probabilities: Niculescu-Mizil and Caruana 2005).
 double shareOfRightPlaces(double belief, bool is_by_scans) {
   constexpr std::array<Point, 10> kByScans{{{0.0, 0.0},

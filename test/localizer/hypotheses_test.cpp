@@ -173,7 +173,6 @@ TEST(Hypotheses, WhereWallsAreRoughLittleIsSaid) {
   EXPECT_GT(spared, 0);
 }
 
-/// Of something that the map does not have, say.
 /// What a scan takes from the odds of a place where some of it does not fit.
 double lossWhereTheBestHas(double log_odds) {
   Hypotheses hypotheses(asymmetricWorld());
@@ -192,6 +191,7 @@ TEST(Hypotheses, WhereEvenTheLikeliestHasLostOddsAScanSaysLess) {
   EXPECT_NEAR(lossWhereTheBestHas(6.0), lost, 0.01 * lost) << "it has none to make up for";
 }
 
+/// Of something that the map does not have, say.
 TEST(Hypotheses, AScanThatFitsNowhereSaysLittle) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.add(kTruth, 0.0);
