@@ -27,8 +27,8 @@ double shareAt(double belief, const std::array<Point, N>& points) {
 
 /// How often a place that is one of several is the right one, by the belief in it: odds know
 /// nothing of what a map does not show, nor of somebody who told a wrong place. Values were fitted
-/// to some hundred thousand scans, in worlds of places that look alike and on recordings with poor maps
-/// (calibration of probabilities: Niculescu-Mizil and Caruana 2005).
+/// to some hundred thousand scans, in worlds of places that look alike and on recordings with poor
+/// maps (calibration of probabilities: Niculescu-Mizil and Caruana 2005).
 double shareOfRightPlaces(double belief, bool is_by_scans) {
   constexpr std::array<Point, 10> kByScans{{{0.0, 0.0},
                                             {0.03, 0.2},
@@ -48,9 +48,9 @@ double shareOfRightPlaces(double belief, bool is_by_scans) {
                                          {0.825, 0.63},
                                          {0.95, 0.65},
                                          {0.985, 0.69},
-                                         {0.99, 0.8},
-                                         {0.997, 0.87},
-                                         {1.0, 0.95}}};
+                                         {0.99, 0.73},
+                                         {0.999, 0.79},
+                                         {1.0, 0.8}}};
   return is_by_scans ? shareAt(belief, kByScans) : shareAt(belief, kTold);
 }
 
