@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "adaptive_localization/core/pose2.hpp"
-#include "localizer/search_pace.hpp"
 #include "map/range_error.hpp"
 #include "ser/place.hpp"
 

@@ -2,17 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
-#include "adaptive_localization/core/pose2.hpp"
 #include "map/range_error.hpp"
 
 namespace adaptive_localization {
-
-/// How far a motion brought the robot to see something else: metres and radians together.
-inline double wayOf(const Pose2& motion) {
-  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
-}
 
 /// When the map is worth searching again: at once, then after 1, 3, 7 and at last every 8 scans as
 /// long as nothing comes of it, and every so many metres while places are left to choose from.

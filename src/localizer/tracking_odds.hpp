@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "adaptive_localization/core/pose2.hpp"
-#include "localizer/search_pace.hpp"
 
 namespace adaptive_localization {
 

@@ -60,7 +60,7 @@ std::vector<double> slips(const Log& good, const Log& spoiled) {
   return found;
 }
 
-double wayOf(const Log& log) {
+double lengthOf(const Log& log) {
   double way = 0.0;
   for (std::size_t i = 1; i < log.scans.size(); ++i) {
     way += distance(log.scans[i - 1].T_odom_base, log.scans[i].T_odom_base);
@@ -115,7 +115,7 @@ TEST(LogSpoiler, SlipSaysThatThereIsNoTurn) {
 TEST(LogSpoiler, ScaleMakesWaysLongerAndLeavesTurns) {
   const Log good = squares(3);
   const Log spoiled = spoil(good, "scale", 0.02, 1);
-  EXPECT_NEAR(wayOf(spoiled) / wayOf(good), 1.02, 1e-9);
+  EXPECT_NEAR(lengthOf(spoiled) / lengthOf(good), 1.02, 1e-9);
   EXPECT_NEAR(spoiled.scans.back().T_odom_base.theta, good.scans.back().T_odom_base.theta, 1e-9);
   EXPECT_THAT(spoiled.scans[0].T_odom_base, PoseNear(good.scans[0].T_odom_base, 0.0, 0.0));
   expectSameReference(good, spoiled);
@@ -189,7 +189,7 @@ TEST(LogSpoiler, ThinKeepsAScanPerMetre) {
     Log part;
     part.scans.assign(good.scans.begin() + static_cast<long>(number(i - 1)),
                       good.scans.begin() + static_cast<long>(number(i)) + 1);
-    EXPECT_NEAR(wayOf(part), 1.05, 0.06);
+    EXPECT_NEAR(lengthOf(part), 1.05, 0.06);
   }
 }
 

@@ -34,7 +34,8 @@ TEST_F(TrackLog, FollowsTheRobot) {
   }
   EXPECT_EQ(count, kSteps);
   EXPECT_EQ(status, "ambiguous") << "the room looks the same after half a turn";
-  EXPECT_GT(confidence, 0.9);
+  EXPECT_GT(confidence, 0.7);
+  EXPECT_LE(confidence, 0.8) << "somebody may have told the wrong one of two";
 }
 
 TEST_F(TrackLog, SaysWhatIsWrong) {

@@ -69,6 +69,11 @@ inline double distance(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// How far a motion brought the robot to see something else: metres and radians together.
+inline double wayOf(const Pose2& motion) {
+  return std::hypot(motion.x, motion.y) + std::abs(motion.theta);
+}
+
 inline bool isFinite(const Pose2& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.theta);
 }
