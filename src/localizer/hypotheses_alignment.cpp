@@ -13,14 +13,16 @@
 namespace adaptive_localization {
 namespace {
 
-/// From where it is and, if a search found it elsewhere, from there.
+/// From where it is and, if a search found it elsewhere, or scans that did not fit led it away,
+/// from there.
 Place alignedWith(const PlaceRefiner& refiner, const Hypothesis& hypothesis) {
-  const Place place =
-      hypothesis.aligned ? *hypothesis.aligned : refiner.align(hypothesis.T_map_base);
-  const std::optional<Pose2>& found = hypothesis.T_map_found;
-  if (!found || refiner.error(*found) >= place.error) return place;
-  const Place again = refiner.align(*found);
-  return Hypotheses::withTolerance(again.error) < place.error ? again : place;
+  Place place = hypothesis.aligned ? *hypothesis.aligned : refiner.align(hypothesis.T_map_base);
+  for (const std::optional<Pose2>& other : {hypothesis.T_map_found, hypothesis.T_map_fitted}) {
+    if (!other || refiner.error(*other) >= place.error) continue;
+    const Place again = refiner.align(*other);
+    if (Hypotheses::withTolerance(again.error) < place.error) place = again;
+  }
+  return place;
 }
 
 }  // namespace
@@ -85,8 +87,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for
       place = alignedCore(refiner, hypothesis, place, usual);
     }
     if (looks_for_slips && hypothesis.isKnown()) lookForSlip(refiner, hypothesis, place, usual);
-    hypothesis.T_map_base = place.T_map_base;
-    hypothesis.error = place.error;
+    hypothesis.settleAt(place, place.error <= UsualError(usual).limit());
     least_error_ = std::min(least_error_, place.error);
   }
   const bool is_right = core && loss(core->error, usual) == 0.0;
@@ -133,8 +134,7 @@ void Hypotheses::alignTwins(const PlaceRefiner& refiner, const Pose2& correction
     if (refiner.error(corrected) >= hypothesis.error) continue;
     const Place place = refiner.align(corrected);
     if (loss(place.error, usual) > 0.0) continue;
-    hypothesis.T_map_base = place.T_map_base;
-    hypothesis.error = place.error;
+    hypothesis.settleAt(place, true);
     least_error_ = std::min(least_error_, place.error);
   }
 }

@@ -29,6 +29,7 @@ struct Hypothesis {
   bool has_slipped{false};   // from there, or from where that one slipped to
   std::optional<Pose2> T_map_core{}, T_map_found{};  // for the next scan
   std::optional<Place> aligned{};                    // with the next scan
+  std::optional<Pose2> T_map_fitted{};  // by odometry since a scan fitted, if the last one does not
   Pose2 T_map_ridden{};             // by odometry alone, before it was aligned with the last scan
   Pose2 T_map_rolled = T_map_base;  // by odometry alone, since it is one of the places:
   double rolled{0.0}, turned{0.0};  // so far, m and rad
@@ -57,6 +58,15 @@ struct Hypothesis {
     turned += std::abs(motion.theta);
     way += wayOf(motion);
     T_map_found.reset();
+    if (T_map_fitted) T_map_fitted = *T_map_fitted * motion;
+  }
+
+  /// It was aligned with the last scan, and fits it or not: then that may have led it astray.
+  void settleAt(const Place& place, bool fits) {
+    if (fits) T_map_fitted.reset();
+    if (!fits && !T_map_fitted) T_map_fitted = T_map_ridden;
+    T_map_base = place.T_map_base;
+    error = place.error;
   }
 
   void moveTo(const Pose2& T_map_moved) {

@@ -374,6 +374,23 @@ TEST(Hypotheses, APlaceIsAlignedFromWhereASearchFoundItAFewCentimetresOff) {
   }
 }
 
+/// One that fits is where it was led to.
+TEST(Hypotheses, APlaceThatAScanThatDoesNotFitLedAwayIsLookedForWhereItWasBefore) {
+  const Pose2 drifted = kTruth * Pose2{0.4, 0.1, -0.3}, motion{0.1, 0.0, 0.0};
+  for (const Eigen::Index occluded : {40, 0}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.add(kTruth, 0.0);
+    hypotheses.addFound({{drifted, 0.01}}, 0.0);
+    hypotheses.weigh(occludedAt(drifted, occluded), News{}, kUsual);
+    ASSERT_EQ(hypotheses.leastError() > 0.1, occluded > 0) << hypotheses.leastError();
+    ASSERT_THAT(hypotheses.modes().front().T_map_base, PoseNear(drifted, 0.1, 0.05));
+    hypotheses.ride(motion);
+    hypotheses.weigh(seenAt(kTruth * motion), News{}, kUsual);
+    const Pose2 now = hypotheses.modes().front().T_map_base;
+    EXPECT_EQ(distance(now, kTruth * motion) < 0.05, occluded > 0) << distance(now, kTruth);
+  }
+}
+
 /// Odds that were earned stay where odometry and the core have the robot.
 TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   const Pose2 ridden = kTruth * Pose2{-0.4, 0.0, 0.0}, core = kTruth * Pose2{-0.55, 0.0, 0.0};
