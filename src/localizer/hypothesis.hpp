@@ -61,12 +61,13 @@ struct Hypothesis {
     if (T_map_fitted) T_map_fitted = *T_map_fitted * motion;
   }
 
-  /// It was aligned with the last scan, and fits it or not: then that may have led it astray.
+  /// It was aligned with the last scan, and fits it or not: then that may have led it astray,
+  /// though to no other place.
   void settleAt(const Place& place, bool fits) {
-    if (fits) T_map_fitted.reset();
-    if (!fits && !T_map_fitted) T_map_fitted = T_map_ridden;
     T_map_base = place.T_map_base;
     error = place.error;
+    if (!T_map_fitted) T_map_fitted = T_map_ridden;
+    if (fits || !areSamePlace(*T_map_fitted, T_map_base)) T_map_fitted.reset();
   }
 
   void moveTo(const Pose2& T_map_moved) {

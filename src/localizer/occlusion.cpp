@@ -49,6 +49,7 @@ Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceF
                       const RangeError& range_error) {
   const Transform2 to_map(T_map_base);
   std::vector<Eigen::Index> left;
+  left.reserve(static_cast<std::size_t>(scan.x.size()));
   int fitting = 0;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {
     const double off = field.at(to_map * Eigen::Vector2d(scan.x[i], scan.y[i]));
@@ -56,7 +57,8 @@ Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceF
     const bool is_obstacle = off > kOff && range_error.missing(T_map_base, scan, i) > kOff;
     if (!is_obstacle) left.push_back(i);
   }
-  return fitting > kMostFits * scan.hits() ? withHits(scan, left) : scan;
+  const bool is_on_map = fitting > kMostFits * scan.hits();
+  return is_on_map && static_cast<int>(left.size()) < scan.hits() ? withHits(scan, left) : scan;
 }
 
 Match ofWholeScan(Match match, const Scan& left, const Scan& all) {

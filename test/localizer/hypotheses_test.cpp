@@ -391,6 +391,20 @@ TEST(Hypotheses, APlaceThatAScanThatDoesNotFitLedAwayIsLookedForWhereItWasBefore
   }
 }
 
+/// Odds that were earned at one place do not go to another.
+TEST(Hypotheses, APlaceThatBecameAnotherOneIsNotLookedForWhereItWasBefore) {
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kTruth, 0.0);
+  for (const double way : {0.4, 0.8}) {
+    const Pose2 drifted = kTruth * Pose2{way, 0.0, 0.0};
+    hypotheses.addFound({{drifted, 0.01}}, 0.0);
+    hypotheses.weigh(occludedAt(drifted, 40), News{}, kUsual);
+    ASSERT_THAT(hypotheses.modes().front().T_map_base, PoseNear(drifted, 0.1, 0.05));
+  }
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+  EXPECT_GT(distance(hypotheses.modes().front().T_map_base, kTruth), 0.3);
+}
+
 /// Odds that were earned stay where odometry and the core have the robot.
 TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
   const Pose2 ridden = kTruth * Pose2{-0.4, 0.0, 0.0}, core = kTruth * Pose2{-0.55, 0.0, 0.0};
