@@ -14,6 +14,7 @@
 
 #include "../ros/bag_player.hpp"
 #include "../ros/command_line.hpp"
+#include "../ros/free_memory.hpp"
 #include "../ros/localization_node.hpp"
 
 namespace {
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
     std::cout << kUsage;
     return EXIT_SUCCESS;
   }
+  adaptive_localization::returnFreedBlocks();
   // roscpp's own handler would close the connection to the master before the pose is kept.
   ros::init(argc, argv, "adaptive_localization", ros::init_options::NoSigintHandler);
   if (take("--verbose", arguments)) showAllOptions();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "free_memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 namespace adaptive_localization {
 namespace {
 
+constexpr int kLargeBlock = 4 << 20;  // bytes: fields and grids of maps, nothing of an update
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 double availableToAll() {
@@ -34,6 +36,10 @@ double leftByLimit() {
 
 double freeMemory() {
   return std::min(availableToAll(), leftByLimit());
+}
+
+void returnFreedBlocks() {
+  mallopt(M_MMAP_THRESHOLD, kLargeBlock);
 }
 
 }  // namespace adaptive_localization

@@ -7,4 +7,9 @@ namespace adaptive_localization {
 /// its address space leaves. Infinite where the system does not tell (Linux does).
 double freeMemory();
 
+/// From now on, blocks of more than 4 MB that are freed go back to the system at once. glibc alone
+/// would raise that size to the largest block ever freed, and keep room for a map that is gone.
+/// Call it before there are threads.
+void returnFreedBlocks();
+
 }  // namespace adaptive_localization
