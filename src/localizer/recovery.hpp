@@ -160,7 +160,7 @@ class Recovery {
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   bool searchAgain(const Observations& observations);
-  void leaveOdds();
+  void leave();
   void search(const Observations& observations);
   void updateStatus();
   Status judge() const;

@@ -122,10 +122,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
                       areSamePlace(modes_[0].T_map_base, T_map_base);
   if (!searched_ || is_ruled_out || !is_one) return;
   if (searchAgain(observations)) return;
-  if (hypotheses_.ruledOut()) {
-    leaveOdds();
-    proof_.demand();
-  }
+  if (hypotheses_.ruledOut()) leave();
   if (odds_.ruleOut(alike_)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = areMany() || isOneOfMany();
@@ -150,14 +147,12 @@ bool Recovery::searchAgain(const Observations& observations) {
   return is_lacking || is_unsure;
 }
 
-/// They were of a place that is ruled out. If the wheels slipped from there, all others are as
-/// unlikely as they were.
-void Recovery::leaveOdds() {
-  if (hypotheses_.isBySlip()) {
-    odds_.lose(Hypothesis::kSlip);
-  } else {
-    odds_ = TrackingOdds();
-  }
+/// What was known is of a place that is ruled out. If the wheels slipped from there, all others are
+/// as unlikely as they were, and what told that place tells the new one.
+void Recovery::leave() {
+  if (hypotheses_.isBySlip()) return odds_.lose(Hypothesis::kSlip);
+  odds_ = TrackingOdds();
+  proof_.demand();
 }
 
 void Recovery::search(const Observations& observations) {
