@@ -129,7 +129,7 @@ void ScanMatcher::pairAt(const Pose2& T_map_base, const Scan& scan, double reach
     if (!surface) continue;
     const Eigen::Vector2d normal = surface->normal.cast<double>();
     const Eigen::Vector2d tangent(-normal.y(), normal.x());
-    const Eigen::Vector2d middle = surface->point.cast<double>();
+    const Eigen::Vector2d& middle = surface->point;
     const Eigen::Vector2d off = base + arm - middle;
     const double residual = normal.dot(off);
     const double along = tangent.dot(off);

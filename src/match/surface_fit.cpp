@@ -99,7 +99,7 @@ class Fitter {
     const double turn = lattice.origin().theta;
     const Pose2 to_map{0.0, 0.0, turn};
     const Eigen::Vector2d point = lattice.centre(cell) + to_map * (lattice.resolution() * offset);
-    return Surface{point.cast<float>(), (to_map * normal).cast<float>(),
+    return Surface{point, (to_map * normal).cast<float>(),
                    kHalfCells * static_cast<float>(lattice.resolution()), side == kBothSides};
   }
 

@@ -20,7 +20,7 @@ constexpr int kMostReach = 1000;   // cells
 /// Metres from a point to the nearest one of a surface.
 double distanceOf(const Surface& surface, const Eigen::Vector2d& point) {
   const Eigen::Vector2d normal = surface.normal.cast<double>();
-  const Eigen::Vector2d off = point - surface.point.cast<double>();
+  const Eigen::Vector2d off = point - surface.point;
   const double along = std::abs(normal.x() * off.y() - normal.y() * off.x());
   const double beyond = std::max(0.0, along - static_cast<double>(surface.half_length));
   return std::hypot(normal.dot(off), beyond);
@@ -53,13 +53,13 @@ SurfaceMap::SurfaceMap(const Lattice& lattice, const std::vector<Segment>& segme
     if (!(length > 0.0)) continue;
     const auto index = static_cast<std::uint32_t>(surfaces_.size());
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()) / length;
-    surfaces_.push_back({(0.5 * (segment.a + segment.b)).cast<float>(), normal.cast<float>(),
+    surfaces_.push_back({0.5 * (segment.a + segment.b), normal.cast<float>(),
                          static_cast<float>(0.5 * length), false});
     forEachCellAlong(lattice_, segment, [&](const Cell& cell) { seeds.push_back({cell, index}); });
   }
   const auto way = [&](const Seed& seed) {  // the last in a cell is the one that counts
     const Surface& surface = surfaces_[seed.surface];
-    const Eigen::Vector2d off = lattice_.centre(seed.cell) - surface.point.cast<double>();
+    const Eigen::Vector2d off = lattice_.centre(seed.cell) - surface.point;
     return std::abs(off.dot(surface.normal.cast<double>()));
   };
   std::stable_sort(seeds.begin(), seeds.end(),

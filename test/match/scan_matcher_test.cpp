@@ -138,7 +138,7 @@ TEST(ScanMatcher, InformationIsThatOfTheDistances) {
   const auto surfaces = surfacesOf(lines);
   const auto residual = [&](const Surface& surface, const Pose2& pose, Eigen::Index i) {
     const Eigen::Vector2d point = pose * Eigen::Vector2d(scan.x[i], scan.y[i]);
-    return surface.normal.cast<double>().dot(point - surface.point.cast<double>());
+    return surface.normal.cast<double>().dot(point - surface.point);
   };
   const double h = 1e-5;
   for (Eigen::Index i = 0; i < scan.x.size(); ++i) {

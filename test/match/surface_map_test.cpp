@@ -13,11 +13,12 @@ namespace {
 
 /// A straight wall across free ground, as a perfect survey would draw it: cells whose centres lie
 /// beyond the line, but only the first.
-std::shared_ptr<const OccupancyGrid> slopedWall(double angle) {
-  const Lattice lattice(100, 100, 0.05, {});
+std::shared_ptr<const OccupancyGrid> slopedWall(double angle, const Pose2& origin = {}) {
+  const Lattice lattice(100, 100, 0.05, origin);
   std::vector<std::int8_t> cells(lattice.size());
   const auto beyond = [&](const Cell& cell) {
-    const Eigen::Vector2d at = lattice.centre(cell) - Eigen::Vector2d(2.5, 2.5);
+    const Eigen::Vector2d at =
+        lattice.centre(cell) - Eigen::Vector2d(origin.x + 2.5, origin.y + 2.5);
     return std::sin(angle) * at.x() + std::cos(angle) * at.y();
   };
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -44,14 +45,25 @@ TEST(SurfaceMap, KnowsASlopedWallBetterThanItsCells) {
       EXPECT_LT(turned, 0.2) << angle;  // 11 degrees
       EXPECT_LT(surface->normal.cast<double>().dot(across), 0.0) << "to the free side";
       EXPECT_FALSE(surface->has_two_sides);
-      const double off = across.dot(surface->point.cast<double>() - at);
+      const double off = across.dot(surface->point - at);
       sum += off;
       squares += off * off;
     }
     const double mean = sum / count;
-    EXPECT_LT(std::sqrt(squares / count - mean * mean), 0.008) << angle;  // a cell's is 0.0144
+    EXPECT_LT(squares / count - mean * mean, 0.008 * 0.008) << angle;  // a cell's is 0.0144
     EXPECT_LT(std::abs(mean), 0.04) << angle;
   }
+}
+
+TEST(SurfaceMap, IsAsExactWhereCoordinatesAreThoseOfTheEarth) {
+  const Pose2 origin{500000.0, 5000000.0, 0.0};
+  const Eigen::Vector2d shift(origin.x, origin.y), start(2.5, 1.5), hit(2.5, 2.5);
+  const SurfaceMap near(*slopedWall(0.3)), far(*slopedWall(0.3, origin));
+  const Surface* here = near.hitBy(start, hit);
+  const Surface* there = far.hitBy(shift + start, shift + hit);
+  ASSERT_NE(here, nullptr);
+  ASSERT_NE(there, nullptr);
+  EXPECT_LT((there->point - shift - here->point).norm(), 1e-6);
 }
 
 TEST(SurfaceMap, TellsThinWallsFromThickOnes) {
@@ -73,7 +85,7 @@ TEST(SurfaceMap, FindsTheSideThatABeamHit) {
     for (const Eigen::Vector2d& start : {below, above}) {
       const Surface* surface = surfaces.hitBy(start, {2.0, y});
       ASSERT_NE(surface, nullptr) << y;
-      EXPECT_FLOAT_EQ(surface->point.y(), start.y() < 1.0 ? 1.0F : 1.04F) << y;
+      EXPECT_DOUBLE_EQ(surface->point.y(), start.y() < 1.0 ? 1.0 : 1.04) << y;
     }
   }
 }
