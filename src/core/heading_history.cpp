@@ -49,15 +49,15 @@ auto after(const Readings& readings, double stamp) {
 }  // namespace
 
 void HeadingHistory::addHeading(double stamp, const Heading& heading) {
-  checkStamp(headings_, stamp);
   checkReading("heading", heading.theta, heading.deviation);
+  checkStamp(headings_, stamp);  // which may begin anew
   headings_.push_back({stamp, {wrapAngle(heading.theta), heading.deviation}});
   dropOld(kept_, headings_);
 }
 
 void HeadingHistory::addRate(double stamp, double rate, double deviation) {
-  checkStamp(rates_, stamp);
   checkReading("turn rate", rate, deviation);
+  checkStamp(rates_, stamp);
   GyroTurn turn{0.0, deviation, stamp};
   if (!rates_.empty() && stamp - rates_.back().stamp <= kSilence) {
     const Rate& last = rates_.back();

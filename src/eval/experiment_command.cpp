@@ -2,6 +2,7 @@
 #include "eval/experiment_command.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <thread>
 
@@ -32,23 +33,21 @@ bool addOverride(const std::string& argument, Overrides& overrides) {
   return true;
 }
 
-void check(const ExperimentCommand& command) {
-  if (command.files.empty()) throw std::invalid_argument("no file is given");
-  if (!command.is_list && command.out_file.empty()) {
-    throw std::invalid_argument("--out is missing");
-  }
+/// Here, named as the first experiment's file.
+std::string resultsOf(const std::string& yaml_file) {
+  return std::filesystem::path(yaml_file).stem().string() + ".jsonl";
 }
 
 }  // namespace
 
 std::string experimentUsage() {
-  return R"(usage: experiments EXPERIMENT.yaml ... --out RESULTS.jsonl [options] [KEY:=VALUE ...]
+  return R"(usage: experiments EXPERIMENT.yaml ... [--out RESULTS.jsonl] [options] [KEY:=VALUE ...]
 
 Drives simulated robots through experiments, in parallel, and writes one JSON line per run. Runs
 that RESULTS.jsonl holds already are not made again: after an interruption, say the same again.
 scripts/summarize RESULTS.jsonl makes tables and plots of them.
 
-  --out RESULTS.jsonl  where the results go
+  --out RESULTS.jsonl  where the results go (default: here, in a file named as the first experiment's)
   --jobs N             runs at the same time (default: as many as there are processors)
   --shard I/N          only part I of N, for several machines; their results merge by concatenation
   --seeds N            seeds for each case and core, rather than the file's number
@@ -78,7 +77,8 @@ ExperimentCommand parseExperimentCommand(const std::vector<std::string>& argumen
   });
   command.wants_help = !parser.parse(arguments);
   if (command.wants_help) return command;
-  check(command);
+  if (command.files.empty()) throw std::invalid_argument("no file is given");
+  if (command.out_file.empty()) command.out_file = resultsOf(command.files.front());
   return command;
 }
 

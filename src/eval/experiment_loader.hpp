@@ -34,8 +34,8 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 ///       - {what: cover, at: 10, for: 30}   # the laser, by a hand
 ///       - {what: disturb, at: 10, for: 60, turned_by: 1.57}   # rad, the compass; simulation.imu
 ///     success: {position: 0.15, heading: 5, scans: 3, within: 1}   # m, degrees; s, any
-///     bounds: true                  # with Cramér-Rao bounds of the error, see error_bound.hpp
 ///                                   #   modulo_half_turn: true, the twin place counts as well
+///     bounds: true                  # with Cramér-Rao bounds of the error, see error_bound.hpp
 ///     probes: [20, 30]              # s
 ///     half_turn: [5, 2.5]           # the map looks the same after half a turn about this point
 ///     options: {update_min_d: 0}    # of all cores

@@ -46,7 +46,7 @@ JudgedScan update(Localizer& localizer, const DriveScan& seen, const LaserMount&
   observations.landmarks = seen.landmarks;
   if (!seen.scan.ranges.empty()) {
     observations.scan = toScan(seen.scan, mount, localizer.scanOptions(), seen.velocity);
-    addReflectors(seen.scan, mount, localizer.scanOptions(), observations);
+    addReflectors(seen.scan, mount, localizer.scanOptions(), seen.velocity, observations);
   }
   observations.heading = seen.heading;
   observations.gyro = seen.gyro;

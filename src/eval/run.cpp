@@ -59,7 +59,7 @@ void addStep(const LogScan& log_scan, const BaseVelocity& velocity, Localizer& l
   observations.heading = log_scan.heading;
   observations.gyro = log_scan.gyro;
   observations.landmarks = log_scan.landmarks;
-  addReflectors(log_scan.scan, log_scan.mount, localizer.scanOptions(), observations);
+  addReflectors(log_scan.scan, log_scan.mount, localizer.scanOptions(), velocity, observations);
   observations.sonar = log_scan.sonar;
   const Localization answer = localizer.update(log_scan.T_odom_base, observations);
   RunStep result;

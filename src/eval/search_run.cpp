@@ -40,11 +40,12 @@ SearchMetrics searchLog(const Log& log, Places& places, const ScanOptions& optio
   std::vector<double> times;
   for (std::size_t k = 0; k < wanted; ++k) {
     if (progress) progress(k + 1);
-    const LogScan& scan = log.scans[k * log.scans.size() / wanted];
+    const std::size_t i = k * log.scans.size() / wanted;
+    const LogScan& scan = log.scans[i];
     if (!scan.T_map_base) continue;
     Observations observations;
     try {
-      observations = {scan.scan.stamp, toScan(scan.scan, scan.mount, options)};
+      observations = {scan.scan.stamp, toScan(scan.scan, scan.mount, options, velocityAt(log, i))};
     } catch (const std::invalid_argument&) {
       continue;  // counted by runLog, which reads the whole log
     }

@@ -31,9 +31,13 @@ SearchWork workFor(const LocalizerOptions& options, SearchWork comparing) {
 }
 
 /// Plug-ins may answer anything.
-Estimate finite(Estimate estimate) {
-  if (isFinite(estimate.T_map_base)) return estimate;
-  throw std::runtime_error("the filter's estimate is not a finite pose");
+Estimate checked(Estimate estimate) {
+  const Pose2& pose = estimate.T_map_base;
+  if (!isFinite(pose) || !estimate.covariance.allFinite()) {
+    throw std::runtime_error("the filter's estimate is not a finite pose and covariance");
+  }
+  if (estimate.modes.empty()) estimate.modes.push_back({pose, estimate.covariance, 1.0});
+  return estimate;
 }
 
 /// Of an estimate, about another pose than its own: it is farther off by all that is between them.
@@ -128,8 +132,10 @@ Localization Localizer::update(const Pose2& T_odom_base, const Observations& obs
   sonars_.hear(T_odom_base, observations);
   const bool is_carried = recovery_->seesCarrying(T_odom_base, observations.scan);
   if (first || update_requested_ || is_carried || gateOpens(by_wheels, observations)) {
-    const Pose2 slip = gyroscope_.slipDuring(by_wheels);
+    Gyroscope gyroscope = gyroscope_;  // as it was, should the core throw
+    const Pose2 slip = gyroscope.slipDuring(by_wheels);
     updateBelief(by_wheels * slip, T_odom_base, observations);
+    gyroscope_ = gyroscope;
     sonars_.forget();
     const Pose2& T_map_core = last_.estimate.T_map_base;
     const Pose2 by_odometry = first ? T_map_core : last_.T_map_odom * T_odom_base * slip;
@@ -175,7 +181,7 @@ void Localizer::updateBelief(const Pose2& motion, const Pose2& T_odom_base,
   const Pose2 T_map_base_expected = last_.estimate.T_map_base * motion;
   const Observations on_map = forCores(T_odom_base, observations);
   const Observations seen = evidenceOf(T_map_base_expected, on_map);
-  last_.estimate = finite(filter_->update(motion, seen));
+  last_.estimate = checked(filter_->update(motion, seen));
   if (!T_odom_base_at_update_) {
     last_.T_map_odom = last_.estimate.T_map_base * inverse(T_odom_base);
   }

@@ -2,6 +2,8 @@
 #include "adaptive_localization/map/lattice.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,6 +16,13 @@ namespace {
 constexpr double kFinest = 1e-3;         // m per cell
 constexpr double kCoarsest = 1e5;        // m per cell
 constexpr double kFarthestOrigin = 1e8;  // m, of the origin; coordinates of the earth are below
+
+/// Of a table with a border of one cell whose sides are whole tiles: its indices are int.
+std::int64_t cellsInTiles(int width, int height) {
+  constexpr std::int64_t kTile = 64, kBorder = 2;
+  const auto whole = [](int cells) { return kTile * ((cells + kBorder + kTile - 1) / kTile); };
+  return whole(width) * whole(height);
+}
 
 std::string print(double value) {
   std::ostringstream text;
@@ -32,6 +41,11 @@ Lattice::Lattice(int width, int height, double resolution, const Pose2& origin)
   if (width <= 0 || height <= 0) {
     throw std::invalid_argument("map size: got " + std::to_string(width) + " x " +
                                 std::to_string(height) + " cells, expected at least 1 x 1");
+  }
+  if (cellsInTiles(width, height) > std::numeric_limits<int>::max()) {
+    throw std::invalid_argument(
+        "map size: got " + std::to_string(width) + " x " + std::to_string(height) +
+        " cells, expected at most 2147483647 in all, with sides rounded up to multiples of 64");
   }
   if (!(resolution >= kFinest && resolution <= kCoarsest)) {
     throw std::invalid_argument("map resolution: got " + print(resolution) + ", expected " +

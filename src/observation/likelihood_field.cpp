@@ -70,6 +70,8 @@ std::unique_ptr<ScoreField> LikelihoodField::fieldOf(double max_range, bool is_s
 const ScoreField& LikelihoodField::fieldFor(double max_range, const Particles& particles) const {
   const bool is_sparse =
       options_.laser_sigma_sparse > options_.laser_sigma_hit && isSparse(particles);
+  constexpr std::size_t kMostLasers = 4;  // as many fields: a driver may send ever new limits
+  if (fields_.size() >= kMostLasers && fields_.count(max_range) == 0) fields_.clear();
   Fields& fields = fields_[max_range];
   std::unique_ptr<ScoreField>& field = is_sparse ? fields.sparse : fields.dense;
   if (!field) field = fieldOf(max_range, is_sparse);

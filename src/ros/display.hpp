@@ -11,8 +11,7 @@ namespace adaptive_localization {
 
 /// What is only for eyes: ~ser, where scans would have the energy of the newest one, ~match, which
 /// of its points fit the map, ~status_text, and ~landmarks, where landmarks are and were sighted.
-/// Made while somebody looks, and a few times a second
-/// at the most.
+/// Made while somebody looks; all but landmarks a few times a second at the most.
 class Display {
  public:
   Display(ros::NodeHandle private_node, const NodeOptions& options);

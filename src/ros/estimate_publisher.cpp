@@ -32,9 +32,9 @@ EstimatePublisher::EstimatePublisher(ros::NodeHandle node, ros::NodeHandle priva
       leaders_topic_(private_node, "leaders", [this] { return leaders(); }),
       confidence_topic_(private_node, "confidence", [this] { return confidence(); }),
       status_topic_(private_node, "status", [this] { return status(); }) {
-  if (!options.tf_broadcast || options.tf_rate <= 0.0) return;
+  if (options.tf_rate <= 0.0) return;
   timer_ = every(node, ros::Duration(1.0 / options.tf_rate), "Transform", [this] {
-    if (T_map_odom_) sendTransform(*T_map_odom_, ros::Time::now());
+    if (options_.tf_broadcast && T_map_odom_) sendTransform(*T_map_odom_, ros::Time::now());
   });
 }
 

@@ -122,7 +122,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
-  addReflectors(laser_scan, mount, localizer_->scanOptions(), observations);
+  addReflectors(laser_scan, mount, localizer_->scanOptions(), velocity, observations);
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp, arrival);
   return true;
@@ -131,8 +131,9 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
 /// Without a laser, or while it is silent, landmarks and sonars are what the robot is localized by;
 /// else they come with the next scan.
 void LocalizationNode::onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base) {
-  constexpr double kSilence = 1.0;  // s
-  const bool is_silent = !last_scan_.isZero() && std::abs((stamp - last_scan_).toSec()) > kSilence;
+  constexpr double kSilence = 1.0;  // s, of a laser, from the first reading of another sense on
+  if (last_scan_.isZero()) last_scan_ = stamp;
+  const bool is_silent = std::abs((stamp - last_scan_).toSec()) > kSilence;
   if (localizer_ && (!scans_.hasTopics() || is_silent)) localize(T_odom_base, {}, stamp, {});
 }
 

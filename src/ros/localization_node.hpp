@@ -88,7 +88,7 @@ class LocalizationNode {
   bool update_again_{false};              // amcl's force_update_after_*
   int updates_on_trial_{0};               // left to find itself where a jump left it
   double ms_per_update_{0.0};
-  ros::Time last_scan_;  // that was used
+  ros::Time last_scan_;  // that was used, or the first reading of another sense
 
   tf2_ros::Buffer tf_;
   TransformInput tf_input_;

@@ -37,7 +37,8 @@ class FreeSpace {
   std::shared_ptr<const World> world_;
   double radius_;
   Lattice lattice_;
-  std::vector<float> clearance_;    // per cell, m, at most kFar; negative where the disc cannot be
+  std::vector<float>
+      clearance_;  // per cell, m, at most kComfort; negative where the disc cannot be
   std::vector<std::size_t> cells_;  // indices of the free ones
 };
 

@@ -61,6 +61,15 @@ TEST_F(Headings, ThatMakeNoSenseAreRefusedByName) {
   EXPECT_EQ(history_.headingAt(5.0)->heading.theta, 0.0);
 }
 
+TEST_F(Headings, OneThatIsRefusedLeavesTheOthers) {
+  history_.addHeading(10.0, {1.0, 0.1});
+  history_.addRate(10.0, 0.5, 0.1);
+  expectRefused(1.0, {kNan, 0.1}, "heading: got nan");  // with a stamp that would begin anew
+  EXPECT_THROW(history_.addRate(1.0, kNan, 0.1), std::invalid_argument);
+  EXPECT_TRUE(history_.headingAt(10.0));
+  EXPECT_TRUE(history_.turnAt(10.1));
+}
+
 TEST_F(Headings, OneFromTheFutureDoesNotSilenceThoseThatFollow) {
   history_.addHeading(1e9, {1.0, 0.1});
   history_.addRate(1e9, 1.0, 0.1);

@@ -32,7 +32,7 @@ class Reflectors : public testing::Test {
 
   std::optional<std::vector<Sighting>> told() const {
     Observations observations;
-    addReflectors(scan_, mount_, options_, observations);
+    addReflectors(scan_, mount_, options_, velocity_, observations);
     return observations.landmarks;
   }
   std::vector<Sighting> reflectors() const { return told().value(); }
@@ -40,6 +40,7 @@ class Reflectors : public testing::Test {
   LaserScan scan_;
   LaserMount mount_;
   ScanOptions options_;
+  BaseVelocity velocity_;
 };
 
 TEST_F(Reflectors, AreBrightRunsOfBeams) {
@@ -79,6 +80,31 @@ TEST_F(Reflectors, AreNoneWhereNothingIsBrightOrHasARange) {
   EXPECT_THAT(reflectors(), IsEmpty());
 }
 
+TEST_F(Reflectors, AreWhereTheyWereWhenTheFirstBeamWasSent) {
+  shine(180, 180, 3.0F);
+  scan_.time_increment = 0.1 / 180;
+  velocity_.turn = 0.5;
+  EXPECT_NEAR(reflectors()[0].bearing, kPi / 2 + 0.05, 1e-6);
+  options_.deskew = false;
+  EXPECT_NEAR(reflectors()[0].bearing, kPi / 2, 1e-6);
+}
+
+TEST_F(Reflectors, AreWithinTheViewAndTheLimitsThatScansAreReadWith) {
+  scan_.range_max = std::numeric_limits<double>::infinity();
+  shine(10, 10, std::numeric_limits<float>::infinity());
+  EXPECT_THAT(reflectors(), IsEmpty());
+  shine(20, 20, 0.3F);
+  shine(90, 90, 3.0F);
+  shine(120, 120, 6.0F);
+  EXPECT_THAT(reflectors(), SizeIs(3));
+  options_.laser_min_range = 0.5;
+  EXPECT_THAT(reflectors(), SizeIs(2));
+  options_.laser_max_range = 5.0;
+  EXPECT_THAT(reflectors(), SizeIs(1));
+  mount_.view = {-kPi / 2, -0.1};
+  EXPECT_THAT(reflectors(), IsEmpty());
+}
+
 TEST_F(Reflectors, AreNotToldUnaskedOrWithoutIntensities) {
   shine(90, 90, 3.0F);
   ASSERT_THAT(reflectors(), SizeIs(1));
@@ -97,7 +123,7 @@ TEST_F(Reflectors, ComeBesideWhatIsSightedOtherwise) {
   post.id = 4;
   Observations observations;
   observations.landmarks = {post};
-  addReflectors(scan_, mount_, options_, observations);
+  addReflectors(scan_, mount_, options_, velocity_, observations);
   EXPECT_THAT(
       observations.landmarks.value(),
       testing::ElementsAre(testing::Field(&Sighting::id, 4), testing::Field(&Sighting::id, -1)));

@@ -147,6 +147,11 @@ TEST_F(Experiments, SayWhatTheyWouldRun) {
   EXPECT_EQ(listed("/amcl$"), listed("amcl"));
 }
 
+TEST_F(Experiments, AreKeptHereUnderTheirNameUnlessToldOtherwise) {
+  EXPECT_EQ(parseExperimentCommand({"config/one.yaml", "two.yaml"}).out_file, "one.jsonl");
+  EXPECT_EQ(parseExperimentCommand({"one.yaml", "--out", "there.jsonl"}).out_file, "there.jsonl");
+}
+
 TEST_F(Experiments, SayWhatIsWrong) {
   const auto expect = [&](const std::vector<std::string>& arguments, const std::string& why) {
     const ProgramResult result = runProgram(EXPERIMENTS, arguments);
@@ -156,7 +161,6 @@ TEST_F(Experiments, SayWhatIsWrong) {
   };
   const std::string out = file("x.jsonl");
   expect({}, "no file is given");
-  expect({experiment_}, "--out is missing");
   expect({experiment_, "--out"}, "--out needs a value");
   expect({experiment_, "--out", out, "--nosuch"}, "unknown argument '--nosuch'");
   expect({experiment_, "--uot", out}, "unknown argument '--uot'; did you mean '--out'?");

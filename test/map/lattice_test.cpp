@@ -93,6 +93,12 @@ TEST(Lattice, PutsFarAndSenselessPointsOutside) {
 TEST(Lattice, RefusesSizesThatAreNone) {
   EXPECT_THROW(Lattice(0, 5, 0.05, {}), std::invalid_argument);
   EXPECT_THROW(Lattice(5, -1, 0.05, {}), std::invalid_argument);
+  for (const auto& [width, height] : {std::pair(68000000, 1), std::pair(1, 68000000),
+                                      std::pair(50000, 50000), std::pair(2147483647, 2147483647)}) {
+    EXPECT_THROW(Lattice(width, height, 0.05, {}), std::invalid_argument) << width;
+  }
+  EXPECT_NO_THROW(Lattice(33000000, 1, 0.05, {}));
+  EXPECT_NO_THROW(Lattice(46000, 46000, 0.05, {}));
   EXPECT_THROW(Lattice(5, 5, 0.0, {}), std::invalid_argument);
   EXPECT_THROW(Lattice(5, 5, std::nan(""), {}), std::invalid_argument);
   EXPECT_THROW(Lattice(5, 5, 0.05, {std::nan(""), 0.0, 0.0}), std::invalid_argument);

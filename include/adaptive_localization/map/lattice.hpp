@@ -20,7 +20,8 @@ struct Cell {
 /// zero: T_map_lattice = origin.
 class Lattice {
  public:
-  /// Throws std::invalid_argument unless width and height are at least 1, the resolution is from a
+  /// Throws std::invalid_argument unless width and height are at least 1 and, rounded up to
+  /// multiples of 64 with a border, at most 2147483647 cells together, the resolution is from a
   /// millimetre to 100 km and the origin is finite and within 1e8 m.
   Lattice(int width, int height, double resolution, const Pose2& origin);
 

@@ -43,7 +43,7 @@ struct MotionOptions {
   }
 };
 
-/// Whether odometry can mean it: numbers, and not kilometres since the last update.
+/// Whether odometry can mean it: numbers, and less than 10 km since the last update.
 inline bool isPlausible(const Pose2& motion) {
   return isFinite(motion) && std::hypot(motion.x, motion.y) < 1e4;
 }
