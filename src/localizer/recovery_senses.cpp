@@ -8,6 +8,14 @@
 #include "ser/places.hpp"
 
 namespace adaptive_localization {
+namespace {
+
+/// A laser that sends scans, and not one beam that is valid.
+bool isBlind(const Scan& scan) {
+  return scan.invalid > 0 && scan.hits() + scan.no_return_bearing.size() == 0;
+}
+
+}  // namespace
 
 /// An occluded laser says nothing: then other senses are asked, as where there is no laser.
 Observations Recovery::withoutCover(const Observations& observations) {
@@ -48,7 +56,7 @@ void Recovery::seeNothing(const Estimate& estimate, const Observations& all) {
   const bool is_open = seesNothing(all.scan);
   const bool is_elsewhere = shareOfWallsMissed(estimate.T_map_base, all.scan) > kMissed;
   confidence_.observe(estimate, is_open ? withoutCover(all) : all);
-  if (is_elsewhere) confidence_.contradict();
+  if (is_elsewhere || isBlind(all.scan)) confidence_.contradict();
   blind_ = is_elsewhere || !is_open ? blind_ + 1 : 0;
   if (blind_ > kBrief) odds_.seeNothing();
   updateStatus();

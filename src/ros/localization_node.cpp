@@ -115,11 +115,12 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
   Scan scan = toScan(laser_scan, mount, localizer_->scanOptions(), velocity);
-  if (scan.hits() == 0 && scan.no_return_bearing.size() == 0) {
-    throw std::invalid_argument("none of its " + std::to_string(message.ranges.size()) +
-                                " ranges is valid");
+  if (scan.hits() + scan.no_return_bearing.size() > 0) {
+    places_.prepare(scan);
+  } else {
+    scans_.complain("none of its " + std::to_string(message.ranges.size()) +
+                    " ranges is valid: the laser is taken to be covered");
   }
-  places_.prepare(scan);
   Observations observations;
   observations.scan = std::move(scan);
   addReflectors(laser_scan, mount, localizer_->scanOptions(), velocity, observations);

@@ -111,8 +111,9 @@ bool ScanSource::use(const Event& event) {
   const auto mount =
       mounts_.at(withoutLeadingSlash(message.header.frame_id), message.header.stamp, &why);
   if (!mount) throw std::invalid_argument(why);
-  last_placed_ = ros::WallTime::now();
   const bool is_used = callback_(message, *mount, arrivalOf(event));
+  last_read_ = ros::WallTime::now();
+  why_dropped_.clear();
   if (is_used) ++counts_.used;
   return is_used;
 }
@@ -122,8 +123,13 @@ bool ScanSource::isSettled() const {
   return counts_.used > 0 || ros::WallTime::now() - first_received_ > kPatience;
 }
 
+void ScanSource::complain(const std::string& why) {
+  if (complaints_.isDue(why)) ROS_WARN("Scan: %s", why.c_str());
+}
+
 void ScanSource::drop(const std::string& why, bool is_said) {
   ++counts_.dropped;
+  why_dropped_ = why;
   if (!is_said || !complaints_.isDue(why)) return;
   ROS_WARN("Scan dropped (%d of %d so far): %s", counts_.dropped, counts_.received, why.c_str());
 }
@@ -138,7 +144,7 @@ std::string ScanSource::missing() const {
     }
     return "a scan on " + topics;
   }
-  if (now - last_placed_ <= kPatience) return "";
+  if (now - last_read_ <= kPatience) return "";
   std::string error;
   if (!tf_.canTransform(options_.base_frame_id, last_frame_, ros::Time(0), &error)) {
     return "a transform from '" + last_frame_ + "' to '" + options_.base_frame_id + "' (" + error +
@@ -148,6 +154,7 @@ std::string ScanSource::missing() const {
     return "a transform from '" + options_.base_frame_id + "' to '" + options_.odom_frame_id +
            "' (" + error + ")";
   }
+  if (!why_dropped_.empty()) return "a scan that can be used (the last one: " + why_dropped_ + ")";
   return "a transform from '" + options_.base_frame_id + "' to '" + options_.odom_frame_id +
          "' at the stamps of the scans";
 }

@@ -51,8 +51,11 @@ class ScanSource {
   };
   const Counts& counts() const { return counts_; }
 
-  /// What is missing for scans to get through: any scan at all, or which transform. Empty as long
-  /// as they do.
+  /// Says in the log, now and then, what is strange about a scan that is used all the same.
+  void complain(const std::string& why);
+
+  /// What is missing for scans to get through: any scan at all, which transform, or one that is not
+  /// refused. Empty as long as they do.
   std::string missing() const;
 
  private:
@@ -74,9 +77,10 @@ class ScanSource {
   Counts counts_;
   ros::WallTime first_received_;
   ros::WallTime last_received_;
-  ros::WallTime last_placed_;
+  ros::WallTime last_read_;
   std::string last_frame_;
-  Complaints complaints_;  // of scans that were dropped
+  std::string why_dropped_;  // the last one, if none was read since
+  Complaints complaints_;    // of scans
   Filter filter_;
   ArrivalQueue arrivals_;
   std::vector<ros::Subscriber> subscribers_;

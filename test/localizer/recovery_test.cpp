@@ -939,6 +939,20 @@ TEST(Recovery, OnARoughMapAPlaceThatNobodyToldIsKnownOnlyAfterSomeWay) {
   EXPECT_LT(metres, 15.0);
 }
 
+/// As drivers say that the lens is covered.
+TEST(Recovery, ALaserNoneOfWhoseBeamsIsValidDoesNotTrack) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 2.2, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 1.0);
+  Observations nothing;
+  nothing.scan.invalid = 91;
+  for (int i = 0; i < 3; ++i) watched.observe(nothing, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kLost);
+  for (int i = 0; i < 3; ++i) watched.see(truth, truth);
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
 TEST(Recovery, AScanWithoutHitsChangesNothing) {
   Watched watched(asymmetricWorld());
   watched.recovery.reset(Anywhere{});

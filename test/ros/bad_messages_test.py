@@ -8,6 +8,7 @@ import sys
 import rospy
 import rostest
 import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from localization_case import LocalizationCase, initial_pose
 from nav_msgs.msg import OccupancyGrid
@@ -51,7 +52,9 @@ class BadMessages(LocalizationCase):
         super().setUp()
         self.logs = []
         logs = rospy.Subscriber("rosout", Log, lambda log: self.logs.append(log.msg))
-        self.subscribers.append(logs)
+        self.diagnostics = []
+        diagnostics = rospy.Subscriber("/diagnostics", DiagnosticArray, self.on_diagnostics)
+        self.subscribers += [logs, diagnostics]
         self.wait_for(lambda: logs.get_num_connections() >= 2, "the node's log and our own")
         self.scans = rospy.Publisher("scan", LaserScan, queue_size=10)
         self.initial_poses = rospy.Publisher("initialpose", PoseWithCovarianceStamped, queue_size=1)
@@ -59,6 +62,9 @@ class BadMessages(LocalizationCase):
         self.broadcaster = tf2_ros.TransformBroadcaster()
         for publisher in [self.scans, self.initial_poses, self.maps]:
             self.wait_for(lambda: publisher.get_num_connections() > 0, "the node")
+
+    def on_diagnostics(self, message):
+        self.diagnostics += [status.message for status in message.status if status.level != status.OK]
 
     def send(self, message, stamp=None):
         message.header.stamp = stamp or rospy.Time.now()
@@ -97,10 +103,11 @@ class BadMessages(LocalizationCase):
         short.range_max = float("nan")
         self.check_dropped(unknown, "neither tf nor robot_description knows where frame 'attic'")
         self.check_dropped(nothing, "scan")
-        self.check_dropped(invalid, "none of its 181 ranges is valid")
         self.check_dropped(still, "angle_increment")
         self.check_dropped(short, "range_max")
 
+        self.check_covered(invalid)
+        self.check_refused(still)
         self.check_pose()
         self.maps.publish(room())  # a new map does not cost the pose
         self.check_pose()
@@ -116,6 +123,27 @@ class BadMessages(LocalizationCase):
         """The robot stands still, so scans are used on request only."""
         rospy.ServiceProxy("request_nomotion_update", Empty)()
         self.send(scan())
+
+    def check_covered(self, message):
+        """A laser that tells nothing at all: the pose goes on with odometry, and nobody is misled."""
+        self.check_pose()
+        del self.statuses[:]
+        self.wait_for_log("Scan: none of its 181 ranges is valid: the laser is taken to be covered", message)
+
+        def lost():
+            rospy.ServiceProxy("request_nomotion_update", Empty)()
+            self.send(message)
+            return self.statuses and self.statuses[-1].message == "lost"
+        self.wait_for(lost, "status 'lost'")
+        later = rospy.Time.now() + rospy.Duration(1.0)
+        self.wait_for(lambda: self.send(message) or self.tf.can_transform("map", "odom", later),
+                      "transforms that go on")
+
+    def check_refused(self, message):
+        """Diagnostics say so while nothing else comes."""
+        del self.diagnostics[:]
+        self.wait_for(lambda: self.send(message) or any("angle_increment" in text for text in self.diagnostics),
+                      "the reason in /diagnostics")
 
     def check_dropped(self, message, reason):
         """The warning is throttled: it is sent until it is said."""
