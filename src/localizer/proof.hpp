@@ -10,7 +10,8 @@ namespace adaptive_localization {
 
 /// Whether a place is known that scans alone told, and nobody. Where the map's walls are rough,
 /// scans fit many a place, and the true one may not be among those found: there the scans must go
-/// on fitting for some way, which grows with the square of the roughness.
+/// on fitting for some way, which grows with the square of the roughness, and with each place that
+/// seemed likely before and gave way to another one: so may the next.
 class Proof {
  public:
   /// Roughness in m, that of MapQuality.
@@ -21,12 +22,19 @@ class Proof {
   void waive() {
     driven_.reset();
     suspect_way_ = 0.0;
+    refuted_ = 0;
   }
 
   void demand() {
     driven_ = 0.0;
     suspect_way_ = 0.0;
   }
+
+  /// A place that scans alone told has given way to another one.
+  void refute() { ++refuted_; }
+
+  /// Of the place that is known now.
+  void forgetRefuted() { refuted_ = 0; }
 
   /// The place may be another one that looks alike: until scans have gone on fitting for some way.
   void suspect() { suspect_way_ = kSuspectWay; }
@@ -37,6 +45,7 @@ class Proof {
   void copyStateOf(const Proof& other) {
     driven_ = other.driven_;
     suspect_way_ = other.suspect_way_;
+    refuted_ = other.refuted_;
   }
 
   /// Motion since the last scan. Where scans do not usually fit as a place explains them, driving
@@ -47,7 +56,7 @@ class Proof {
     if (usually_fits) suspect_way_ -= way;
   }
 
-  bool isGiven() const { return !driven_ || *driven_ >= way_; }
+  bool isGiven() const { return !driven_ || *driven_ >= way_ + kWayPerRefuted * refuted_; }
 
   /// Scans alone told the place.
   bool isByScans() const { return driven_.has_value(); }
@@ -56,10 +65,12 @@ class Proof {
   static constexpr double kSuspectWay = 5.0;   // m
   static constexpr double kWay = 7.0;          // m, where walls are as rough as
   static constexpr double kVeryRough = 0.075;  // m, those of a plan that does not fit the building
+  static constexpr double kWayPerRefuted = 1.5;  // m
 
   double way_;                    // m
   std::optional<double> driven_;  // m, so far; nothing if none is needed
   double suspect_way_{0.0};       // m, left to drive
+  int refuted_{0};                // places since one was known
 };
 
 }  // namespace adaptive_localization

@@ -32,8 +32,10 @@ void Recovery::reset(const Prior& prior) {
   const bool is_given = std::holds_alternative<Gaussian2>(prior);
   from_anywhere_ = std::holds_alternative<Anywhere>(prior);
   was_tracking_ = is_unchecked_ = false;
-  from_anywhere_ ? proof_.demand() : proof_.waive();
+  proof_.waive();
+  if (from_anywhere_) proof_.demand();
   left_.reset();
+  leader_.reset();
   initial_pose_ = InitialPose(is_given);
   odds_ = TrackingOdds(is_given);
   unexplained_ = unfit_ = blind_ = 0;
@@ -83,10 +85,14 @@ void Recovery::ride(const Pose2& motion) {
   novelty_.ride(motion);
   if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
+  if (leader_) leader_ = *leader_ * motion;
   if (in_doubt_) in_doubt_ = *in_doubt_ * motion;
   doubted_way_ += std::hypot(motion.x, motion.y);
   doubted_turn_ += std::abs(motion.theta);
-  if (is_settled_ && odds_.isKept()) left_.reset();
+  if (is_settled_ && odds_.isKept()) {
+    left_.reset();
+    proof_.forgetRefuted();
+  }
   pace_.travel(wayOf(motion));
   initial_pose_.travel(wayOf(motion));
   odds_.checkJump(motion);

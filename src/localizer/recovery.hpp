@@ -160,6 +160,7 @@ class Recovery {
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
   bool searchAgain(const Observations& observations);
+  void noteLeader();
   void leave();
   void search(const Observations& observations);
   void updateStatus();
@@ -197,8 +198,9 @@ class Recovery {
   Proof proof_;
   Novelty novelty_;
 
-  bool has_left_{false};       // the core's place was ruled out in this race,
-  double left_way_{0.0};       // so long a way ago, m
+  std::optional<Pose2> leader_;  // of several new places, the last that was likely
+  bool has_left_{false};         // the core's place was ruled out in this race,
+  double left_way_{0.0};         // so long a way ago, m
   std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well
   bool searched_{false};       // this map, since the race was opened,
   bool was_searched_{false};   // or one before

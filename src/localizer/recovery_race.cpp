@@ -43,7 +43,9 @@ void Recovery::beCarried(const Pose2& T_map_base) {
   left_.reset();
   doubted_.clear();
   odds_.beCarried();
+  leader_.reset();
   proof_.demand();
+  proof_.forgetRefuted();
   pace_.restart();
   ground_.places->askAnew();
   status_ = Status::kLost;
@@ -109,6 +111,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   novelty_.count();
   modes_ = hypotheses_.modes();
   most_ = std::max(most_, modes_.size());
+  noteLeader();
   explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
   if (!explained_) pace_.miss(hypotheses_.leastError());
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
@@ -132,6 +135,16 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
+}
+
+/// A likely place that gives way to another one shows that scans do not tell them apart so soon.
+void Recovery::noteLeader() {
+  constexpr double kLikely = 0.7;  // mass
+  if (!isNew()) return leader_.reset();
+  if (modes_.empty() || modes_.front().mass < kLikely) return;
+  const Pose2& now = modes_.front().T_map_base;
+  if (leader_ && !areSamePlace(*leader_, now)) proof_.refute();
+  leader_ = now;
 }
 
 /// Whether the race goes on though one place is left, as the true one may not be among those that

@@ -36,6 +36,19 @@ TEST(Proof, TakesAWayThatGrowsWithTheSquareOfTheRoughness) {
   }
 }
 
+TEST(Proof, TakesAsMuchMoreWayForEachPlaceThatGaveWay) {
+  Proof proof(0.0);
+  proof.demand();
+  proof.refute();
+  proof.refute();
+  EXPECT_EQ(metresUntilGiven(proof), 3);
+  Proof on_another_map(kRough);
+  on_another_map.copyStateOf(proof);
+  EXPECT_EQ(metresUntilGiven(on_another_map), 10);
+  proof.forgetRefuted();
+  EXPECT_EQ(metresUntilGiven(proof), 0);
+}
+
 TEST(Proof, IsNotGivenByTurningOnTheSpot) {
   Proof proof(kRough);
   proof.demand();

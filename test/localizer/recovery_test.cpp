@@ -831,7 +831,7 @@ TEST(Recovery, ThePlaceThatIsLeftOfThoseThatHadRoomIsComparedWithTheOthers) {
 TEST(Recovery, OneOfManyPlacesIsKnownOnceScansFitThereAsTheyUsuallyDo) {
   Watched watched(longHall({30}));
   watched.laser.max_range = 4.0;
-  Pose2 truth{10.0, 1.0, 0.0};
+  Pose2 truth{11.5, 1.0, 0.0};
   const Pose2 motion{0.1, 0.0, 0.0}, none{};
   const auto see = [&](int one_in, const Pose2& moved) {
     truth = truth * moved;
@@ -951,6 +951,23 @@ TEST(Recovery, ALaserNoneOfWhoseBeamsIsValidDoesNotTrack) {
   EXPECT_EQ(watched.recovery.status(), Status::kLost);
   for (int i = 0; i < 3; ++i) watched.see(truth, truth);
   EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
+/// A place that scans told was not where it is; the next may not be either.
+TEST(Recovery, APlaceThatIsFoundAfterAnotherGaveWayIsKnownOnlyAfterSomeWay) {
+  const Pose2 truth{1.0, 2.2, 0.0};
+  Watched found(asymmetricWorld());
+  found.recovery.reset(Anywhere{});
+  EXPECT_EQ(metresUntilTracked(found, truth), 0.0);
+  Watched misled(asymmetricWorld());
+  misled.recovery.reset(Anywhere{});
+  const Pose2 seeming{2.0, 3.0, -0.5};
+  for (int i = 0; i < 3; ++i) misled.see(seeming, seeming);
+  ASSERT_EQ(misled.recovery.status(), Status::kTracking);
+  misled.see(truth, truth);  // where the core jumps
+  const double metres = metresUntilTracked(misled, truth);
+  EXPECT_GT(metres, 1.0);
+  EXPECT_LT(metres, 3.0);
 }
 
 TEST(Recovery, AScanWithoutHitsChangesNothing) {
