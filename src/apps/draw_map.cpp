@@ -60,7 +60,8 @@ void draw(const DrawCommand& command) {
   OccupancyGrid map =
       command.words.size() == 2
           ? loadMap(source)
-          : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive));
+          : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive,
+                                                      "metres per cell, above 0"));
   saveMap(spoil(std::move(map), command.spoils, static_cast<std::uint64_t>(command.spoil_seed)),
           command.words.back());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ void list(const std::vector<PlannedRun>& runs) {
 void run(const ExperimentCommand& command) {
   const auto experiments = load(command);
   const auto runs = planRuns(experiments, command.shard, command.words);
+  if (!command.words.empty() && planRuns(experiments, {}, command.words).empty()) {
+    throw std::invalid_argument("--only: got '" + command.words.front() +
+                                "', expected a word of what --list shows without it");
+  }
   if (command.is_list) return list(runs);
   ExperimentFile file(command.out_file);
   const auto missing = file.missing(runs);

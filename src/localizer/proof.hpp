@@ -30,7 +30,7 @@ class Proof {
     suspect_way_ = 0.0;
   }
 
-  /// A place that scans alone told has given way to another one.
+  /// A likely place has given way to another one.
   void refute() { ++refuted_; }
 
   /// Of the place that is known now.
@@ -56,6 +56,8 @@ class Proof {
     if (usually_fits) suspect_way_ -= way;
   }
 
+  /// As far as the map demands it, whatever gave way.
+  bool isEnoughForTheMap() const { return !driven_ || *driven_ >= way_; }
   bool isGiven() const { return !driven_ || *driven_ >= way_ + kWayPerRefuted * refuted_; }
 
   /// Scans alone told the place.
@@ -70,7 +72,7 @@ class Proof {
   double way_;                    // m
   std::optional<double> driven_;  // m, so far; nothing if none is needed
   double suspect_way_{0.0};       // m, left to drive
-  int refuted_{0};                // places since one was known
+  int refuted_{0};                // places that gave way since one was known
 };
 
 }  // namespace adaptive_localization

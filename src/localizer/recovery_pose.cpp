@@ -100,7 +100,7 @@ Pose2 Recovery::published(const Pose2& T_map_base_by_odometry, const Estimate& e
 
 double Recovery::confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_core) const {
   if (is_settled_ && !areSamePlace(T_map_base, T_map_base_of_core)) return 0.0;
-  const bool is_proven = proof_.isGiven() && !proof_.isSuspect();
+  const bool is_proven = proof_.isEnoughForTheMap() && !proof_.isSuspect();
   const double most = is_proven ? 1.0 : kUnproven;
   const double belief = std::min(most, confidence_.value() * shareOf(T_map_base));
   if (confidence_.isContradicted()) return belief;  // by another sense

@@ -140,7 +140,6 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
 /// A likely place that gives way to another one shows that scans do not tell them apart so soon.
 void Recovery::noteLeader() {
   constexpr double kLikely = 0.7;  // mass
-  if (!isNew()) return leader_.reset();
   if (modes_.empty() || modes_.front().mass < kLikely) return;
   const Pose2& now = modes_.front().T_map_base;
   if (leader_ && !areSamePlace(*leader_, now)) proof_.refute();

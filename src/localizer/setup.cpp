@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "localizer/former_options.hpp"
 #include "match/scan_matcher.hpp"
@@ -53,6 +54,13 @@ bool areEqual(const std::vector<OptionDescription>& options, const Parameters& a
   });
 }
 
+void check(const ScanOptions& scan) {
+  if (scan.laser_max_range <= 0.0 || scan.laser_min_range < scan.laser_max_range) return;
+  throw std::invalid_argument("option 'laser_min_range': got '" + toText(scan.laser_min_range) +
+                              "', expected less than laser_max_range, which is '" +
+                              toText(scan.laser_max_range) + "'");
+}
+
 }  // namespace
 
 Setup SetupReader::read(Parameters parameters) {
@@ -68,6 +76,7 @@ Setup SetupReader::read(Parameters parameters) {
   Setup setup;
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
+  check(setup.scan);
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.compass = parameters.read<CompassOptions>();
   parameters.read<MatchOptions>();                        // they are known, whoever needs them

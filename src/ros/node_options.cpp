@@ -49,11 +49,24 @@ std::vector<OptionDescription> changedOptions(const Parameters& parameters) {
   return changed;
 }
 
+NodeOptions withPlainFrames(NodeOptions options) {
+  std::map<std::string, std::string> keys;
+  const auto take = [&](const std::string& key, std::string& frame) {
+    const std::string given = frame;
+    frame = withoutLeadingSlash(given);
+    const auto [known, is_new] = keys.emplace(frame, key);
+    if (is_new && !frame.empty()) return;
+    throw std::invalid_argument("option '" + key + "': got '" + given + "', expected " +
+                                (is_new ? "the name of a frame" : "another than " + known->second));
+  };
+  take("global_frame_id", options.global_frame_id);
+  take("odom_frame_id", options.odom_frame_id);
+  take("base_frame_id", options.base_frame_id);
+  return options;
+}
+
 NodeOptions readNodeOptions(const Parameters& parameters) {
-  auto options = parameters.read<NodeOptions>();
-  for (auto* frame : {&options.odom_frame_id, &options.base_frame_id, &options.global_frame_id}) {
-    *frame = withoutLeadingSlash(*frame);
-  }
+  const NodeOptions options = withPlainFrames(parameters.read<NodeOptions>());
   const Localizer localizer(parameters, trialMap());
   std::vector<std::string> known = keysOf(describe(options));
   for (const auto& key : keysOf(localizer.allOptions())) known.push_back(key);

@@ -120,6 +120,10 @@ inline std::shared_ptr<const OccupancyGrid> trialMap() {
 /// Throws std::invalid_argument naming key, value and range.
 std::vector<OptionDescription> changedOptions(const Parameters& parameters);
 
+/// With the frames' names as tf2 has them, without a slash in front. Throws std::invalid_argument
+/// naming key and value of one that is empty or another one's as well.
+NodeOptions withPlainFrames(NodeOptions options);
+
 /// Reads the node's options and says which ones differ from the defaults; to the logger "options",
 /// at debug level, all of them. Makes a localizer on the trial map on the way, so that wrong
 /// parameters show at the start, not with the map.

@@ -60,7 +60,7 @@ inline NodeOptions liveOptions(Parameters parameters, const NodeOptions& now) {
   for (const auto& option : describe(now)) {
     if (isReadAtStart(option.key)) parameters.set(option.key, option.value);
   }
-  return parameters.read<NodeOptions>();
+  return withPlainFrames(parameters.read<NodeOptions>());
 }
 
 /// All options of node, localizer and filters with the values that parameters give them.

@@ -164,6 +164,7 @@ TEST_F(Experiments, SayWhatIsWrong) {
   expect({experiment_, "--out"}, "--out needs a value");
   expect({experiment_, "--out", out, "--nosuch"}, "unknown argument '--nosuch'");
   expect({experiment_, "--uot", out}, "unknown argument '--uot'; did you mean '--out'?");
+  expect({experiment_, "--out", out, "--only", "sakld"}, "--only: got 'sakld', expected a word of");
   expect({experiment_, "--out", out, "--jobs", "0"}, "--jobs: got '0', expected a whole number");
   expect({experiment_, "--out", out, "--seeds", "2x"}, "--seeds: got '2x'");
   for (const std::string shard : {"3", "0/2", "3/2", "a/2", "1/"}) {

@@ -48,6 +48,8 @@ TEST(LocalizerOptions, AreRefusedByName) {
   EXPECT_THAT(complaint(parametersWith(), toyWorld({"#?#"}, 0.1)), HasSubstr("no free cell"));
   EXPECT_THAT(complaint(parametersWith({{"filter", std::string("kld")}, {"min_particles", 2000}})),
               HasSubstr("min_particles"));
+  EXPECT_THAT(complaint(parametersWith({{"laser_min_range", 5.0}, {"laser_max_range", 2.0}})),
+              AllOf(HasSubstr("'laser_min_range': got '5'"), HasSubstr("laser_max_range")));
 }
 
 TEST(LocalizerOptions, ThatNobodyKnowsAreListed) {

@@ -42,6 +42,7 @@ TEST(Proof, TakesAsMuchMoreWayForEachPlaceThatGaveWay) {
   proof.refute();
   proof.refute();
   EXPECT_EQ(metresUntilGiven(proof), 3);
+  EXPECT_TRUE(proof.isEnoughForTheMap());
   Proof on_another_map(kRough);
   on_another_map.copyStateOf(proof);
   EXPECT_EQ(metresUntilGiven(on_another_map), 10);

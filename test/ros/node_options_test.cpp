@@ -45,5 +45,31 @@ TEST(ChangedOptions, AreComparedWithTheChosenCoreAndPreset) {
   EXPECT_EQ(changed({{"preset", "seed"}, {"laser_max_beams", "30"}}), (Values{{"preset", "seed"}}));
 }
 
+TEST(NodeOptions, FramesHaveNoSlashAndAreThree) {
+  NodeOptions options;
+  options.odom_frame_id = "/odom";
+  EXPECT_EQ(withPlainFrames(options).odom_frame_id, "odom");
+  const auto complaint = [](const std::string& global, const std::string& odom,
+                            const std::string& base) -> std::string {
+    NodeOptions frames;
+    frames.global_frame_id = global;
+    frames.odom_frame_id = odom;
+    frames.base_frame_id = base;
+    try {
+      withPlainFrames(frames);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(complaint("/map", "odom", "base"), "none");
+  EXPECT_EQ(complaint("odom", "/odom", "base"),
+            "option 'odom_frame_id': got '/odom', expected another than global_frame_id");
+  EXPECT_EQ(complaint("map", "odom", "map"),
+            "option 'base_frame_id': got 'map', expected another than global_frame_id");
+  EXPECT_EQ(complaint("map", "/", "base"),
+            "option 'odom_frame_id': got '/', expected the name of a frame");
+}
+
 }  // namespace
 }  // namespace adaptive_localization
