@@ -165,6 +165,7 @@ void Localizer::searchOn() {
 bool Localizer::gateOpens(const Pose2& motion, const Observations& observations) const {
   if (std::hypot(motion.x, motion.y) >= setup_.options.update_min_d) return true;
   if (std::abs(motion.theta) >= setup_.options.update_min_a) return true;
+  if (recovery_->seesAgain(observations.scan)) return true;
   return recovery_->isContradicted(last_.estimate.T_map_base * motion, observations.scan);
 }
 

@@ -48,6 +48,10 @@ class Recovery {
   /// Whether the laser is occluded, and other senses tell where the robot is.
   bool canReplaceScan(const Observations& observations) const;
 
+  /// A scan tells something, and that of the last update was of a laser that is covered: this one
+  /// or another.
+  bool seesAgain(const Scan& scan) const;
+
   /// Whether a scan contradicts the map at a pose, so that it is worth an update; where the robot
   /// stands, or little is known of its place, one that fits far worse than the last one did and
   /// than is usual is, too.

@@ -28,6 +28,10 @@ bool Recovery::canReplaceScan(const Observations& observations) const {
   return isCovered(observations.scan) && senses_->canLocalize(observations);
 }
 
+bool Recovery::seesAgain(const Scan& scan) const {
+  return blind_ > 0 && !isCovered(scan);
+}
+
 /// Whether a scan, or another sense without one, tells where the robot is.
 bool Recovery::tells(const Observations& observations) const {
   return observations.scan.hits() > 0 || senses_->canLocalize(observations);

@@ -131,6 +131,27 @@ TEST(LocalizerStatus, IsTrackingWhileTheGridOfAnotherLaserIsBeingMade) {
 }
 
 /// Where the robot is when it is told, no scan can tell more.
+/// After each scan of the laser that sees, one of another that is covered, as by what the robot
+/// carries.
+TEST(LocalizerStatus, IsTrackingWhileOneOfTwoLasersIsCovered) {
+  const auto map = asymmetricWorld();
+  const auto drive = toyDrive(map, 5, 61);
+  std::vector<Eigen::Vector2d> cover;
+  for (int i = 0; i < 60; ++i)
+    cover.emplace_back(-0.3 * std::cos(0.02 * i), 0.3 * std::sin(0.02 * i));
+  for (const char* filter : {"kld", "sa_kld", "ekf_icp"}) {
+    Localizer localizer(parametersWith({{"filter", std::string(filter)}}), map);
+    localizer.reset(Gaussian2{drive[0].T_map_base, 0.01 * Eigen::Matrix3d::Identity()});
+    Pose2 odometry;
+    for (std::size_t i = 0; i < 40; ++i) {
+      odometry = odometry * drive[i].motion;
+      EXPECT_EQ(localizer.update(odometry, drive[i].observations).status, Status::kTracking)
+          << filter << ", scan " << i;
+      localizer.update(odometry, hitsAt(cover, 12.0));
+    }
+  }
+}
+
 TEST(LocalizerStatus, KeepsAnInitialPoseThatOneOfTwoTwinsFits) {
   const auto map = symmetricWorld();
   Localizer localizer(parametersWith({{"filter", std::string("ekf_icp")}}), map);
