@@ -61,7 +61,7 @@ void draw(const DrawCommand& command) {
       command.words.size() == 2
           ? loadMap(source)
           : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive,
-                                                      "metres per cell, above 0"));
+                                                      "a number above 0, in m"));
   saveMap(spoil(std::move(map), command.spoils, static_cast<std::uint64_t>(command.spoil_seed)),
           command.words.back());
 }

@@ -91,7 +91,6 @@ void Recovery::ride(const Pose2& motion) {
   doubted_turn_ += std::abs(motion.theta);
   if (is_settled_ && odds_.isKept()) {
     left_.reset();
-    leader_.reset();
     proof_.forgetRefuted();
   }
   pace_.travel(wayOf(motion));

@@ -137,9 +137,11 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
 
-/// A likely place that gives way to another one shows that scans do not tell them apart so soon.
+/// A likely place that gives way to another one shows that scans do not tell them apart so soon;
+/// one that was known, that the robot was carried away.
 void Recovery::noteLeader() {
   constexpr double kLikely = 0.7;  // mass
+  if (!isNew()) return leader_.reset();
   if (modes_.empty() || modes_.front().mass < kLikely) return;
   const Pose2& now = modes_.front().T_map_base;
   if (leader_ && !areSamePlace(*leader_, now)) proof_.refute();
