@@ -11,8 +11,8 @@
 
 namespace adaptive_localization {
 
-/// Reads beams one by one, as base would have seen them when the first was sent: what toScan() makes
-/// a scan of.
+/// Reads beams one by one, as base would have seen them when the first was sent: what toScan()
+/// makes a scan of.
 class BeamReader {
  public:
   struct Beam {
