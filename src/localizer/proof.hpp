@@ -30,7 +30,7 @@ class Proof {
     suspect_way_ = 0.0;
   }
 
-  /// A likely place has given way to another one.
+  /// In a search a likely place has given way to another one.
   void refute() { ++refuted_; }
 
   /// Of the place that is known now.

@@ -35,7 +35,6 @@ void Recovery::reset(const Prior& prior) {
   proof_.waive();
   if (from_anywhere_) proof_.demand();
   left_.reset();
-  leader_.reset();
   initial_pose_ = InitialPose(is_given);
   odds_ = TrackingOdds(is_given);
   unexplained_ = unfit_ = blind_ = 0;

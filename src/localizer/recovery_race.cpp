@@ -43,7 +43,6 @@ void Recovery::beCarried(const Pose2& T_map_base) {
   left_.reset();
   doubted_.clear();
   odds_.beCarried();
-  leader_.reset();
   proof_.demand();
   proof_.forgetRefuted();
   pace_.restart();
@@ -84,6 +83,7 @@ void Recovery::openDoubted(const Observations& observations) {
 
 void Recovery::settle() {
   is_settled_ = true;
+  leader_.reset();
   was_searched_ = searched_ = explained_ = has_left_ = false;
   most_ = 0;
   alike_ = 0;
@@ -137,8 +137,8 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   pace_.searched(unexplained_ == 0, hypotheses_.leastError());
 }
 
-/// A likely place that gives way to another one shows that scans do not tell them apart so soon;
-/// one that was known, that the robot was carried away.
+/// A likely place that gives way to another one in a search shows that scans do not tell them apart
+/// so soon; one that was known, that the robot was carried away.
 void Recovery::noteLeader() {
   constexpr double kLikely = 0.7;  // mass
   if (!isNew()) return leader_.reset();
