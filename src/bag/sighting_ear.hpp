@@ -12,16 +12,11 @@
 
 #include "adaptive_localization/core/observations.hpp"
 #include "core/landmark_topics.hpp"
+#include "core/picture.hpp"
 #include "heading_ear.hpp"
 #include "map/landmark_map.hpp"
 
 namespace adaptive_localization {
-
-/// What was sighted at one instant, from where base was then.
-struct Picture {
-  double stamp{0.0};  // s
-  std::vector<Sighting> sightings;
-};
 
 /// Adds what a picture shows to the landmarks of an instant, `now` in s, as seen from where base is
 /// by then. A picture of half a second before tells nothing any more.

@@ -50,11 +50,8 @@ ExperimentResult make(const PlannedRun& run, const ExperimentSite& site) {
 }  // namespace
 
 RunId PlannedRun::id() const {
-  std::string settings = of_case->fingerprint;
-  for (const auto& [key, value] : core->parameters.values()) {
-    settings += "\n" + key + ": " + toText(value);
-  }
-  return {of_case->experiment, of_case->label, core->label, seed, hashOf(settings)};
+  const std::string settings = hashOf(of_case->fingerprint + fingerprint(core->parameters));
+  return {of_case->experiment, of_case->label, core->label, seed, settings};
 }
 
 std::vector<PlannedRun> planRuns(const std::vector<Experiment>& experiments, const Shard& shard,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -12,6 +13,17 @@ namespace {
 std::string contentsOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The YAML file and its image. A file that is no map is refused when the map is loaded.
+std::string contentsOfMap(const std::string& file) {
+  const std::string text = contentsOf(file);
+  try {
+    const std::filesystem::path image = YAML::Load(text)["image"].as<std::string>("");
+    return text + contentsOf((std::filesystem::path(file).parent_path() / image).string());
+  } catch (const YAML::Exception&) {
+    return text;
+  }
 }
 
 }  // namespace
@@ -29,7 +41,17 @@ std::string hashOf(const std::string& text) {
 std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case) {
   YAML::Node node = YAML::Clone(value.node());
   for (const char* key : {"label", "cores", "options", "seeds", "world", "map"}) node.remove(key);
-  return hashOf(YAML::Dump(node) + contentsOf(of_case.world) + contentsOf(of_case.map));
+  return hashOf(YAML::Dump(node) + contentsOf(of_case.world) + contentsOfMap(of_case.map));
+}
+
+std::string fingerprint(const Parameters& parameters) {
+  std::string settings;
+  for (const auto& [key, value] : parameters.values()) {
+    const bool is_file = key == "line_map" || key == "landmark_map";
+    const std::string text = toText(value);
+    settings += "\n" + key + ": " + (is_file ? contentsOf(text) : text);
+  }
+  return hashOf(settings);
 }
 
 }  // namespace adaptive_localization

@@ -38,6 +38,7 @@ Gaussian2 heaviestOf(const Particles& cloud) {
 void EkfIcp::reset(const Prior& prior) {
   refused_ = 0;
   way_ = 0.0;
+  pending_.finish();
   match_.reset();
   if (parts_.sonars) parts_.sonars->forget();
   anywhere_ = std::holds_alternative<Anywhere>(prior);
@@ -66,7 +67,8 @@ Estimate EkfIcp::estimate() const {
 
 Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   const Pose2 before = tracker_.mean();
-  if (isPlausible(motion)) move(motion);
+  move(pending_.rest(motion));
+  pending_.move(motion);
   if (anywhere_) startAt(observations);
   tracker_.correctBy(*parts_.senses, observations);
   if (parts_.sonars && !anywhere_) correctBySonars(observations);
@@ -79,10 +81,12 @@ Estimate EkfIcp::update(const Pose2& motion, const Observations& observations) {
   way_ += std::max(distance({}, motion), std::abs(motion.theta));
   if (match_->fault == MatchFault::kSlides) weighCloud(observations);
   if (!anywhere_) cloud_ = drawCloud(tracker_.belief(), options_.cloud_particles, rng_);
+  pending_.finish();
   return estimate();
 }
 
 void EkfIcp::move(const Pose2& motion) {
+  if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
   tracker_.predict(motion, noise);
   if (parts_.sonars) parts_.sonars->move(motion, noise);

@@ -15,6 +15,7 @@
 #include "match/scan_tracker.hpp"
 #include "match/sonar_line_matcher.hpp"
 #include "particle/pose_sampler.hpp"
+#include "pending_motion.hpp"
 
 namespace adaptive_localization {
 
@@ -96,6 +97,7 @@ class EkfIcp : public Filter {
   ScanTracker tracker_;
   Rng rng_;
   Particles cloud_;
+  PendingMotion pending_;
   std::optional<Match> match_;
   bool anywhere_{false};
   double stamp_{0.0};  // of the last update, s

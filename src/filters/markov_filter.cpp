@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -41,6 +42,7 @@ MarkovFilter::MarkovFilter(const MarkovOptions& options, MarkovParts parts, std:
 }
 
 void MarkovFilter::reset(const Prior& prior) {
+  pending_.finish();
   const auto* cloud = std::get_if<Particles>(&prior);
   if (cloud && cloud->size() > 0) {
     belief_.set(*cloud);
@@ -53,12 +55,27 @@ void MarkovFilter::reset(const Prior& prior) {
 }
 
 Estimate MarkovFilter::update(const Pose2& motion, const Observations& observations) {
-  if (isPlausible(motion)) belief_.move(motion, parts_.motion->covariance(motion));
+  move(motion);
   if (belief_.cellsAbove(0.0).empty()) belief_.spread();  // it has left the map
   if (options_.markov_anywhere > 0.0) belief_.mix(options_.markov_anywhere);
   weigh(observations);
   summarizeBelief();
+  pending_.finish();
   return estimate_;
+}
+
+/// Where memory runs out half-way, it goes on with the particles that were drawn from it.
+void MarkovFilter::move(const Pose2& motion) {
+  const Pose2 rest = pending_.rest(motion);
+  pending_.move(motion);
+  if (!isPlausible(rest)) return;
+  try {
+    belief_.move(rest, parts_.motion->covariance(rest));
+  } catch (const std::bad_alloc&) {
+    for (Eigen::Index i = 0; i < cloud_.size(); ++i) cloud_.setPose(i, cloud_.pose(i) * rest);
+    belief_.set(cloud_);
+    throw;
+  }
 }
 
 void MarkovFilter::weigh(const Observations& observations) {

@@ -8,6 +8,7 @@
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
 #include "adaptive_localization/observation/observation_model.hpp"
+#include "pending_motion.hpp"
 #include "pose_histogram.hpp"
 
 namespace adaptive_localization {
@@ -63,6 +64,7 @@ class MarkovFilter : public Filter {
   const Particles& hypotheses() const override { return cloud_; }
 
  private:
+  void move(const Pose2& motion);
   void weigh(const Observations& observations);
   void summarizeBelief();
 
@@ -71,6 +73,7 @@ class MarkovFilter : public Filter {
   PoseHistogram belief_;
   Estimate estimate_;
   Particles cloud_;
+  PendingMotion pending_;
   Rng rng_;
 };
 

@@ -33,7 +33,7 @@ void ParticleFilter::reset(const Prior& prior) {
   const auto* cloud = std::get_if<Particles>(&prior);
   taken_over_ = cloud && cloud->size() > 0;
   anywhere_ = false;
-  moved_.reset();
+  pending_.finish();
   if (taken_over_) {
     particles_ = *cloud;
     particles_.log_weight = normalisedWeights(cloud->log_weight).log();
@@ -62,8 +62,9 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
     parts_.size->observe(particles_);
     anywhere_ = false;
   } else {
-    move(motion);
+    move(pending_.rest(motion));
   }
+  pending_.move(motion);
   const Eigen::ArrayXd weights = weigh(observations);
   particles_.log_weight = logOf(weights);
   Estimate estimate = summarize(particles_, weights);
@@ -76,14 +77,12 @@ Estimate ParticleFilter::update(const Pose2& motion, const Observations& observa
     resample(weights, elsewhere);
     estimate.share_elsewhere = elsewhere;
   }
-  moved_.reset();
+  pending_.finish();
   return estimate;
 }
 
 void ParticleFilter::move(const Pose2& motion) {
-  const Pose2 rest = moved_ ? between(*moved_, motion) : motion;
-  if (isPlausible(rest)) parts_.motion->propagate(rest, particles_, rng_);
-  moved_ = motion;
+  if (isPlausible(motion)) parts_.motion->propagate(motion, particles_, rng_);
 }
 
 Estimate ParticleFilter::estimate() const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "adaptive_localization/filters/filter.hpp"
 #include "adaptive_localization/motion/motion_model.hpp"
@@ -11,6 +10,7 @@
 #include "particle/exploration.hpp"
 #include "particle/pose_sampler.hpp"
 #include "particle/sample_size.hpp"
+#include "pending_motion.hpp"
 
 namespace adaptive_localization {
 
@@ -68,7 +68,7 @@ class ParticleFilter : public Filter {
   ParticleFilterParts parts_;
   Rng rng_;
   Particles particles_;
-  std::optional<Pose2> moved_;  // by an update that failed, and is to be made again
+  PendingMotion pending_;
   int updates_since_resampling_{0};
   bool anywhere_{false};    // and no scan has told yet where to look
   bool taken_over_{false};  // from another filter, with its number of particles

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "adaptive_localization/particle/resampling.hpp"
 #include "adaptive_localization/particle/summary.hpp"
@@ -44,6 +45,7 @@ void SwarmFilter::reset(const Prior& prior) {
   anywhere_ = is_undecided_ = false;
   is_fix_asked_ = true;
   leaders_ = {};
+  pending_.finish();
   const auto* cloud = std::get_if<Particles>(&prior);
   if (cloud && cloud->size() > 0) {
     bats_ = *cloud;
@@ -75,14 +77,19 @@ Eigen::Matrix3d SwarmFilter::cloudCovariance(double xy, double theta) const {
 }
 
 Estimate SwarmFilter::update(const Pose2& motion, const Observations& observations) {
-  ride(motion, observations);
-  if (observations.scan.hits() == 0) return estimate_;
+  ride(pending_.rest(motion), observations);
+  pending_.move(motion);
+  if (observations.scan.hits() > 0) fix(observations);
+  pending_.finish();
+  return estimate_;
+}
+
+void SwarmFilter::fix(const Observations& observations) {
   if (anywhere_) {
     fixAnywhere(observations);
   } else if (isFixDue(observations)) {
     fixHere(observations);
   }
-  return estimate_;
 }
 
 /// Moves pose and bats, adds the noise of odometry, and listens to other senses than the laser. The
@@ -90,15 +97,17 @@ Estimate SwarmFilter::update(const Pose2& motion, const Observations& observatio
 void SwarmFilter::ride(const Pose2& motion, const Observations& observations) {
   if (!isPlausible(motion)) return;
   const Eigen::Matrix3d noise = parts_.motion->covariance(motion);
-  for (auto mode = estimate_.modes.rbegin(); mode != estimate_.modes.rend(); ++mode) {
+  Estimate moved = estimate_;  // as one, since senses may throw
+  for (auto mode = moved.modes.rbegin(); mode != moved.modes.rend(); ++mode) {
     tracker_.reset({mode->T_map_base, mode->covariance});
     tracker_.predict(motion, noise);
     tracker_.correctBy(*parts_.senses, observations);
     mode->T_map_base = tracker_.mean();
     mode->covariance = tracker_.covariance();
   }
-  estimate_.T_map_base = estimate_.modes.front().T_map_base;
-  estimate_.covariance = estimate_.modes.front().covariance;
+  moved.T_map_base = moved.modes.front().T_map_base;
+  moved.covariance = moved.modes.front().covariance;
+  estimate_ = std::move(moved);
   for (Particles* cloud : {&bats_, &leaders_}) {
     for (Eigen::Index i = 0; i < cloud->size(); ++i) cloud->setPose(i, cloud->pose(i) * motion);
   }

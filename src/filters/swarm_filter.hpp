@@ -11,6 +11,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "match/scan_tracker.hpp"
 #include "particle/pose_sampler.hpp"
+#include "pending_motion.hpp"
 #include "swarm/swarm_move.hpp"
 #include "swarm_fix.hpp"
 
@@ -74,6 +75,7 @@ class SwarmFilter : public Filter {
   void drawElsewhere();
   void trackHeaviest(const Estimate& estimate);
   void ride(const Pose2& motion, const Observations& observations);
+  void fix(const Observations& observations);
   bool isFixDue(const Observations& observations) const;
   void align(const Observations& observations, SwarmFix& fix) const;
   SwarmFix lookHere(const Observations& observations);
@@ -93,6 +95,7 @@ class SwarmFilter : public Filter {
   Rng rng_;
   Particles bats_, leaders_;
   Estimate estimate_;
+  PendingMotion pending_;
   bool anywhere_{false};
   bool is_fix_asked_{false};
   bool is_undecided_{false};  // the bats are in several places

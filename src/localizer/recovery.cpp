@@ -42,7 +42,7 @@ void Recovery::reset(const Prior& prior) {
   pace_.restart();
   scan_change_.forget();
   T_odom_base_.reset();
-  is_at_rest_ = false;
+  is_at_rest_ = is_covered_ = false;
   is_carried_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();

@@ -54,7 +54,8 @@ class Recovery {
 
   /// Whether a scan contradicts the map at a pose, so that it is worth an update; where the robot
   /// stands, or little is known of its place, one that fits far worse than the last one did and
-  /// than is usual is, too.
+  /// than is usual is, too. One of a covered laser is only after another such: another laser may
+  /// see.
   bool isContradicted(const Pose2& T_map_base, const Scan& scan) const;
 
   /// To be asked of every scan, whether it makes an update or not: whether it shows that the robot
@@ -219,9 +220,10 @@ class Recovery {
   double contradictions_{0.0};  // scans in a row for which the odds ruled it out
   SearchPace pace_;
   ScanChange scan_change_;
-  std::optional<Pose2> T_odom_base_;  // at the last scan, since when
-  bool is_at_rest_{false};            // the robot did not move
-  bool is_carried_{false};            // since the last update
+  std::optional<Pose2> T_odom_base_;             // at the last scan, since when
+  bool is_covered_{false}, was_covered_{false};  // the laser of the last scan, of the one before
+  bool is_at_rest_{false};                       // the robot did not move
+  bool is_carried_{false};                       // since the last update
 };
 
 }  // namespace adaptive_localization

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What observations tell of places, by the laser or, without one, by other senses.
 #include <algorithm>
+#include <utility>
 
 #include "kept_place.hpp"
 #include "localizer/recovery.hpp"
@@ -80,6 +81,7 @@ bool Recovery::canSearch(const Observations& observations) const {
 }
 
 bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
+  if (is_covered_ && !was_covered_) return false;
   if (seesNothing(scan)) return shareOfWallsMissed(T_map_base, scan) > kMissed;
   if (scan.hits() == 0) return false;
   if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
@@ -91,6 +93,7 @@ bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
   constexpr double kNoWay = 0.005;  // m or rad
   is_at_rest_ = T_odom_base_ && wayOf(between(*T_odom_base_, T_odom_base)) < kNoWay;
   T_odom_base_ = T_odom_base;
+  was_covered_ = std::exchange(is_covered_, isCovered(scan));
   is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
   return is_carried_;
 }

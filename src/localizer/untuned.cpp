@@ -6,6 +6,7 @@
 #include <map>
 
 #include "adaptive_localization/localizer/setup.hpp"
+#include "core/option_number.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -36,15 +37,6 @@ const std::map<std::string, Values>& usualValues() {
                                                     {"laser_z_rand", {0.05, 0.5}},
                                                     {"laser_sigma_hit", {0.2}}};
   return values;
-}
-
-double numberOf(const OptionValue& value) {
-  if (const auto* whole = std::get_if<int>(&value)) return *whole;
-  return std::get<double>(value);
-}
-
-bool isNumber(const OptionValue& value) {
-  return std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
 }
 
 /// Numbers are often rounded, and whole ones may be either.

@@ -5,14 +5,6 @@
 #include <limits>
 
 namespace adaptive_localization {
-namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
-
 Bounds boundsOf(const Polygon& polygon) {
   Bounds bounds{polygon.front(), polygon.front()};
   for (const auto& corner : polygon) {

@@ -9,6 +9,10 @@ namespace adaptive_localization {
 /// Corners in order, metres; the last is joined to the first.
 using Polygon = std::vector<Eigen::Vector2d>;
 
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 struct Segment {
   Eigen::Vector2d a;
   Eigen::Vector2d b;

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kSame = 1e-6;  // m, what lies nearer is taken for one place
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Where another side meets this one, as shares of its length: a crossing, or, of a side that
 /// runs along it, the ends.
 void addCuts(const Segment& side, const Segment& other, std::vector<double>& cuts) {

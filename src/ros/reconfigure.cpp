@@ -7,19 +7,11 @@
 #include <utility>
 
 #include "callbacks.hpp"
+#include "core/option_number.hpp"
 #include "reconfigure_fields.hpp"
 
 namespace adaptive_localization {
 namespace {
-
-bool isNumber(const OptionValue& value) {
-  return std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
-}
-
-double numberOf(const OptionValue& value) {
-  const auto* whole = std::get_if<int>(&value);
-  return whole ? *whole : std::get<double>(value);
-}
 
 /// Other text is no name in ROS, and the parameter server does not take it.
 void checkText(const std::string& key, const OptionValue& value) {

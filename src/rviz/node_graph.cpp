@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <tuple>
 
+#include "endings.hpp"
+
 namespace adaptive_localization {
 namespace {
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() &&
-         text.compare(text.size() - end.size(), std::string::npos, end) == 0;
-}
 
 bool has(const NodeGraph::NodesByName& names, const std::string& name, const std::string& node) {
   const auto found = names.find(name);

@@ -7,6 +7,8 @@
 #include <map>
 #include <regex>
 
+#include "endings.hpp"
+
 namespace adaptive_localization {
 namespace {
 
@@ -61,11 +63,6 @@ Pose2 planar(const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
   return {pose.position.x, pose.position.y,
           std::atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z)};
-}
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() &&
-         text.compare(text.size() - end.size(), std::string::npos, end) == 0;
 }
 
 /// Of "<node>: Scans". A node that hears no laser counts none and lacks none.

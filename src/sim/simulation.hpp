@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/picture.hpp"
 #include "sim/camera.hpp"
 #include "sim/imu.hpp"
 #include "sim/laser.hpp"
@@ -71,12 +72,6 @@ struct OdometryReading {
   double stamp{0.0};  // s
   Pose2 T_odom_base;
   Velocity velocity;
-};
-
-/// What the camera sighted.
-struct Picture {
-  double stamp{0.0};  // s
-  std::vector<Sighting> sightings;
 };
 
 /// What came from the sensors in one step.

@@ -11,6 +11,7 @@
 #include "adaptive_localization/filters/builtins.hpp"
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "support/allocations.hpp"
+#include "support/pose_matchers.hpp"
 #include "support/toy_drive.hpp"
 
 namespace adaptive_localization {
@@ -103,6 +104,27 @@ TEST_P(EveryCore, TracksOnWhereUpdatesRunOutOfMemory) {
   }
   RecordProperty("allocations", std::to_string(n));
   EXPECT_GT(n, 20) << "nothing failed";
+}
+
+/// The motion of an update that failed is not moved again with that of the next one.
+TEST_P(EveryCore, MovesByWhatIsLeftWhereAnUpdateRanOutOfMemory) {
+  const Observations seen = ToyLaser{61, -2.0, 2.0, 12.0}.observe(map_, {3.0, 1.0, 0.0});
+  const FilterDescription& description = builtins().filters.find(GetParam());
+  FilterContext context{builtins(), Ground(map_), parameters(), 1};
+  for (const auto& [key, value] : description.preset("recommended")) {
+    context.parameters.set(key, value);
+  }
+  const auto filter = description.make(context);
+  const Prior start = Gaussian2{{2.0, 1.0, 0.0}, 1e-4 * Eigen::Matrix3d::Identity()};
+  filter->reset(start);
+  const auto update = [&] { filter->update({1.0, 0.0, 0.0}, seen); };
+  const long failures = failAllAlong(update, [&](long n) {
+    SCOPED_TRACE("allocation " + std::to_string(n));
+    const Estimate now = filter->update({1.5, 0.0, 0.0}, {});
+    EXPECT_THAT(now.T_map_base, PoseNear(Pose2{3.5, 1.0, 0.0}, 0.3, 0.1));
+    filter->reset(start);
+  });
+  EXPECT_GT(failures, 5) << "nothing failed";
 }
 
 /// All but those that by definition look nowhere else.
