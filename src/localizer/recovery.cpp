@@ -43,6 +43,7 @@ void Recovery::reset(const Prior& prior) {
   scan_change_.forget();
   T_odom_base_.reset();
   is_at_rest_ = is_covered_ = false;
+  way_on_ = 0.0;
   is_carried_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
@@ -113,6 +114,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   if (isSudden(T_map_base, observations.scan, error)) proof_.suspect();
   error_ = error;
   scan_fits_ = error <= usual_.limit();
+  if (scan_fits_) way_on_ += wayOf(motion);
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
   if (is_settled_) {
     waited_ = in_doubt_ ? waited_ + 1 : 0;

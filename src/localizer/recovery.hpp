@@ -222,8 +222,9 @@ class Recovery {
   ScanChange scan_change_;
   std::optional<Pose2> T_odom_base_;             // at the last scan, since when
   bool is_covered_{false}, was_covered_{false};  // the laser of the last scan, of the one before
-  bool is_at_rest_{false};                       // the robot did not move
-  bool is_carried_{false};                       // since the last update
+  double way_on_{0.0};      // m or rad, of fitting scans that each show what the one before did
+  bool is_at_rest_{false};  // the robot did not move
+  bool is_carried_{false};  // since the last update
 };
 
 }  // namespace adaptive_localization

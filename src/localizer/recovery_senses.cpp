@@ -45,10 +45,13 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 
 /// Scans contradict the place, one after another: the laser sends garbage, or the place is another
 /// one. If a camera's beams rather end before the map's walls than go on through them, something
-/// that the map does not have may fill its view.
+/// that the map does not have may fill its view. So it is where scans fitted for some way and
+/// each since then has shown what the one before did: then the map is wrong there.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
+  constexpr double kWayOn = 0.5;  // m or rad
   if (confidence_.contradictions() < kContradictions) return false;
   if (scan.hits() == 0 || scan.view.width > kMostOfView) return true;
+  if (way_on_ >= kWayOn) return false;
   const RangeError::Fit fit = range_error_.at(T_map_base, scan);
   return fit.throughShare() > fit.short_share;
 }
@@ -90,11 +93,13 @@ bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
 }
 
 bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
-  constexpr double kNoWay = 0.005;  // m or rad
+  constexpr double kNoWay = 0.005;      // m or rad
+  constexpr double kMostChanged = 0.2;  // of the beams; those of driving robots change by less
   is_at_rest_ = T_odom_base_ && wayOf(between(*T_odom_base_, T_odom_base)) < kNoWay;
   T_odom_base_ = T_odom_base;
   was_covered_ = std::exchange(is_covered_, isCovered(scan));
   is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
+  if (scan_change_.changedShare() > kMostChanged) way_on_ = 0.0;
   return is_carried_;
 }
 

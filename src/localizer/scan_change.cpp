@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "occlusion.hpp"
 
@@ -93,31 +94,42 @@ Panorama panoramaOf(const Scan& scan, const Pose2& motion) {
   return panorama;
 }
 
-/// Whether a scan, turned by some bins, shows another place.
-bool isOther(const Panorama& before, const Scan& scan, int turn) {
+/// Beams that could be compared, and those that are shorter or longer.
+struct Comparison {
+  int compared{0}, shorter{0}, longer{0};
+
+  double changedShare() const { return static_cast<double>(shorter + longer) / compared; }
+  bool isOtherPlace() const {
+    const int either_way = std::min(shorter, longer);
+    return either_way > kEitherWay * compared &&
+           shorter + longer + 2 * either_way > kChanged * compared;
+  }
+};
+
+/// Of a scan turned by some bins; nothing if too little can be compared.
+std::optional<Comparison> compare(const Panorama& before, const Scan& scan, int turn) {
   constexpr double kSame = 0.2, kSamePerMetre = 0.03;  // m
-  int beams = 0, compared = 0, shorter = 0, longer = 0;
+  int beams = 0;
+  Comparison beams_by;
   forBeams(scan, [&](double bearing, double range) {
     ++beams;
     const double beyond = before.beyond(Panorama::binOf(bearing) + turn, range);
     if (beyond == Panorama::kUnknown) return;
-    ++compared;
+    ++beams_by.compared;
     const double same = kSame + kSamePerMetre * range;
-    shorter += beyond < -same ? 1 : 0;
-    longer += beyond > same ? 1 : 0;
+    beams_by.shorter += beyond < -same ? 1 : 0;
+    beams_by.longer += beyond > same ? 1 : 0;
   });
-  const int either_way = std::min(shorter, longer);
-  return compared > kCompared * beams && either_way > kEitherWay * compared &&
-         shorter + longer + 2 * either_way > kChanged * compared;
+  if (beams_by.compared <= kCompared * beams) return std::nullopt;
+  return beams_by;
 }
 
-bool isOtherPlace(const Scan& before, const Pose2& motion, const Scan& now) {
+/// Whether it shows another place however the wheels slipped in a turn.
+bool isOtherByAnyTurn(const Panorama& before, const Scan& scan) {
   constexpr int kMostSlip = 15;  // bins
-  if (std::hypot(motion.x, motion.y) > kMostWay || std::abs(motion.theta) > kMostTurn) return false;
-  const Panorama panorama = panoramaOf(before, motion);
-  if (!isOther(panorama, now, 0)) return false;
   for (int turn = -kMostSlip; turn <= kMostSlip; ++turn) {
-    if (!isOther(panorama, now, turn)) return false;
+    const auto compared = compare(before, scan, turn);
+    if (!compared || !compared->isOtherPlace()) return false;
   }
   return true;
 }
@@ -130,6 +142,7 @@ bool isOfSameLaser(const Scan& a, const Scan& b) {
 }  // namespace
 
 bool ScanChange::isElsewhere(const Pose2& T_odom_base, const Scan& scan) {
+  changed_share_ = 1.0;
   if (isCovered(scan)) return false;
   const auto last = std::find_if(seen_.begin(), seen_.end(),
                                  [&](const Seen& seen) { return isOfSameLaser(seen.scan, scan); });
@@ -142,6 +155,15 @@ bool ScanChange::isElsewhere(const Pose2& T_odom_base, const Scan& scan) {
   last->T_odom_base = T_odom_base;
   last->scan = scan;
   return is_other;
+}
+
+bool ScanChange::isOtherPlace(const Scan& before, const Pose2& motion, const Scan& now) {
+  if (std::hypot(motion.x, motion.y) > kMostWay || std::abs(motion.theta) > kMostTurn) return false;
+  const Panorama panorama = panoramaOf(before, motion);
+  const auto compared = compare(panorama, now, 0);
+  if (!compared) return false;
+  changed_share_ = compared->changedShare();
+  return compared->isOtherPlace() && isOtherByAnyTurn(panorama, now);
 }
 
 }  // namespace adaptive_localization

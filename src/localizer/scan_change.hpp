@@ -27,6 +27,10 @@ class ScanChange {
   /// than the scan before of the same laser. A laser that is covered shows none.
   bool isElsewhere(const Pose2& T_odom_base, const Scan& scan);
 
+  /// Of the last scan's beams that can be compared with the scan before, the share that are shorter
+  /// or longer; 1 where they cannot be.
+  double changedShare() const { return changed_share_; }
+
   void forget() { seen_.clear(); }
 
  private:
@@ -36,7 +40,10 @@ class ScanChange {
     Scan scan;
   };
 
+  bool isOtherPlace(const Scan& before, const Pose2& motion, const Scan& now);
+
   std::vector<Seen> seen_;
+  double changed_share_{1.0};
 };
 
 }  // namespace adaptive_localization

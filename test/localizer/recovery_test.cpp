@@ -741,6 +741,7 @@ std::size_t placesAfter(int scans, const std::function<Observations(const Observ
     sent.scan.view.width = view;
     const Pose2 motion{i % 2 == 0 ? -step : step, 0.0, 0.0};
     truth = truth * motion;
+    watched.recovery.seesCarrying(truth, sent.scan);
     watched.observe(sent, truth, motion);
   }
   for (int i = 0; i < 3; ++i) watched.see(truth, truth);
@@ -767,6 +768,18 @@ TEST(Recovery, ScansThatContradictAPlaceTakeOddsAwayUnlessSomethingFillsACameras
   EXPECT_GT(placesAfter(60, hidden), 1U);
   EXPECT_EQ(placesAfter(60, hidden, kPi, 0.0), 1U)
       << "from one place they are hardly more than one";
+}
+
+/// Nobody is carried little by little: it is the map that is wrong about what a camera sees.
+TEST(Recovery, ViewsThatContradictAPlaceTakeNoOddsAwayWhereEachGoesOnWithTheOneBefore) {
+  constexpr double kCamera = 1.0;  // rad
+  int scans = 0;
+  const auto ever_longer = [&](const Observations& seen) {
+    return withRanges(seen, std::min(1.7F, 1.0F + 0.02F * static_cast<float>(scans++)));
+  };
+  EXPECT_EQ(placesAfter(95, ever_longer, kCamera), 1U);
+  const auto longer_at_once = [](const Observations& seen) { return withRanges(seen, 1.7F); };
+  EXPECT_GT(placesAfter(60, longer_at_once, kCamera), 1U);
 }
 
 /// Two scans told lies: the core was moved to where they seemed to be from.

@@ -42,6 +42,18 @@ TEST(ScanChange, DrivingIsNone) {
   }
 }
 
+TEST(ScanChange, TellsHowMuchOfAScanChanged) {
+  ScanChange change;
+  change.isElsewhere({}, seenFrom(kHere));
+  EXPECT_EQ(change.changedShare(), 1.0) << "nothing to compare it with";
+  change.isElsewhere({0.1, 0.0, 0.0}, seenFrom(kHere * Pose2{0.1, 0.0, 0.0}));
+  EXPECT_LT(change.changedShare(), 0.05);
+  change.isElsewhere({0.1, 0.0, 0.0}, with(seenFrom(kHere * Pose2{0.1, 0.0, 0.0}), 0, 91, 0.4F));
+  EXPECT_NEAR(change.changedShare(), 0.5, 0.05);
+  change.isElsewhere({2.1, 0.0, 0.0}, seenFrom(kHere));
+  EXPECT_EQ(change.changedShare(), 1.0) << "too far off";
+}
+
 /// Even if most ranges change by it.
 TEST(ScanChange, WheelsThatSlipInATurnAreNone) {
   ScanChange change;
