@@ -31,7 +31,7 @@ struct Hypothesis {
   std::optional<Place> aligned{};                    // with the next scan
   std::optional<Pose2> T_map_fitted{};  // by odometry since a scan fitted, if the last one does not
   Pose2 T_map_ridden{};             // by odometry alone, before it was aligned with the last scan
-  Pose2 T_map_rolled = T_map_base;  // by odometry alone, since it is one of the places:
+  Pose2 T_map_rolled = T_map_base;  // by odometry alone, for the last half metre or so:
   double rolled{0.0}, turned{0.0};  // so far, m and rad
   bool is_new{true};                // not judged yet: a scan counts in full
   bool is_due{true};                // to be judged by this scan
@@ -52,6 +52,8 @@ struct Hypothesis {
 
   /// Odometry rolls on.
   void ride(const Pose2& motion) {
+    constexpr double kLately = 0.5;  // m
+    if (rolled > kLately) moveTo(T_map_base);
     T_map_base = T_map_base * motion;
     T_map_rolled = T_map_rolled * motion;
     rolled += std::hypot(motion.x, motion.y);

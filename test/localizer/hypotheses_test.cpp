@@ -423,10 +423,12 @@ TEST(Hypotheses, AnAlignmentThatLeadsAwayFromTheCoreLeadsToAPlaceOfItsOwn) {
 /// Step by step along a wall with gaps, say, while odometry and the core have the robot stand.
 TEST(Hypotheses, AKnownPlaceDoesNotSlideAwayFromOdometryAndTheCore) {
   const Pose2 there = kTruth * Pose2{-0.45, 0.0, 0.0};
-  const auto placeOf = [&](const Pose2& core, const Pose2& motion) {
+  const auto placeOf = [&](const Pose2& core, const Pose2& motion, double turn = 0.0) {
     Hypotheses hypotheses(asymmetricWorld());
-    hypotheses.addKept(there * between(motion, Pose2{}), TrackingOdds(true));
+    const Pose2 start = there * Pose2{0.0, 0.0, -turn} * between(motion, Pose2{});
+    hypotheses.addKept(start, TrackingOdds(true));
     hypotheses.ride(motion);
+    hypotheses.ride({0.0, 0.0, turn});
     hypotheses.note(core);
     hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
     return hypotheses.modes().front().T_map_base;
@@ -434,6 +436,8 @@ TEST(Hypotheses, AKnownPlaceDoesNotSlideAwayFromOdometryAndTheCore) {
   EXPECT_THAT(placeOf(there, {}), PoseNear(there, 1e-9, 1e-9));
   EXPECT_THAT(placeOf(kTruth, {}), PoseNear(kTruth, 0.05, 0.02)) << "the core went there as well";
   EXPECT_THAT(placeOf(there, {0.3, 0.0, 0.0}), PoseNear(kTruth, 0.05, 0.02)) << "wheels can slip";
+  EXPECT_THAT(placeOf(there, {2.0, 0.0, 0.0}, 0.1), PoseNear(there, 1e-9, 1e-9))
+      << "but not now for as far as they have rolled before";
 }
 
 /// A core that turned away from it is in the same spot.
