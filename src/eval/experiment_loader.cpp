@@ -83,7 +83,7 @@ void checkLabels(const std::vector<Labelled>& all, const YamlValue& where) {
 
 /// A map of lines, or of landmarks, can be the world itself.
 void replaceWorld(const std::string& world, Parameters& parameters) {
-  for (const char* key : {"line_map", "landmark_map"}) {
+  for (const char* key : kMapOptions) {
     const auto option = parameters.values().find(key);
     if (option != parameters.values().end() && toText(option->second) == "world") {
       parameters.set(key, OptionValue(world));

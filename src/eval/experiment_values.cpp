@@ -185,7 +185,7 @@ SuccessRule readSuccess(const YamlValue& value) {
 
 Parameters readOptions(const YamlValue& value) {
   Parameters parameters = value.parameters();
-  for (const char* key : {"line_map", "landmark_map"}) {
+  for (const char* key : kMapOptions) {
     if (!parameters.has(key)) continue;
     const YamlValue file = value.at(key);
     if (file.text() != "world") parameters.set(key, OptionValue(resolve(file)));

@@ -2,10 +2,15 @@
 // The parts of an experiment's file.
 #pragma once
 
+#include <array>
+
 #include "eval/experiment.hpp"
 #include "yaml_value.hpp"
 
 namespace adaptive_localization {
+
+/// Options of cores that name a file, a map of their own.
+constexpr std::array<const char*, 2> kMapOptions{"line_map", "landmark_map"};
 
 void readWorld(const YamlValue& value, ExperimentCase& result);
 

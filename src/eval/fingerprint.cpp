@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fingerprint.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
+
+#include "experiment_values.hpp"
 
 namespace adaptive_localization {
 namespace {
 
+/// Of what is no file, nothing: it is refused when it is loaded.
 std::string contentsOf(const std::string& file) {
+  std::error_code is_none;
+  if (!std::filesystem::is_regular_file(file, is_none)) return {};
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The YAML file and its image. A file that is no map is refused when the map is loaded.
+/// The YAML file and its image, if it names one.
 std::string contentsOfMap(const std::string& file) {
   const std::string text = contentsOf(file);
   try {
@@ -47,7 +54,8 @@ std::string fingerprint(const YamlValue& value, const ExperimentCase& of_case) {
 std::string fingerprint(const Parameters& parameters) {
   std::string settings;
   for (const auto& [key, value] : parameters.values()) {
-    const bool is_file = key == "line_map" || key == "landmark_map";
+    const bool is_file =
+        std::find(kMapOptions.begin(), kMapOptions.end(), key) != kMapOptions.end();
     const std::string text = toText(value);
     settings += "\n" + key + ": " + (is_file ? contentsOf(text) : text);
   }

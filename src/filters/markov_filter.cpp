@@ -64,7 +64,7 @@ Estimate MarkovFilter::update(const Pose2& motion, const Observations& observati
   return estimate_;
 }
 
-/// Where memory runs out half-way, it goes on with the particles that were drawn from it.
+/// Where memory runs out half-way, the belief goes on with the particles that were drawn from it.
 void MarkovFilter::move(const Pose2& motion) {
   const Pose2 rest = pending_.rest(motion);
   pending_.move(motion);

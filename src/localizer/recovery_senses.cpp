@@ -45,8 +45,8 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 
 /// Scans contradict the place, one after another: the laser sends garbage, or the place is another
 /// one. If a camera's beams rather end before the map's walls than go on through them, something
-/// that the map does not have may fill its view. So it is where scans fitted for some way and
-/// each since then has shown what the one before did: then the map is wrong there.
+/// that the map does not have may fill its view. If its scans fitted for some way, and each since
+/// then has shown what the one before did, nobody carried the robot: the map is wrong there.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
   constexpr double kWayOn = 0.5;  // m or rad
   if (confidence_.contradictions() < kContradictions) return false;
@@ -94,7 +94,7 @@ bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
 
 bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
   constexpr double kNoWay = 0.005;      // m or rad
-  constexpr double kMostChanged = 0.2;  // of the beams; those of driving robots change by less
+  constexpr double kMostChanged = 0.2;  // of the beams, unless people pass close by
   is_at_rest_ = T_odom_base_ && wayOf(between(*T_odom_base_, T_odom_base)) < kNoWay;
   T_odom_base_ = T_odom_base;
   was_covered_ = std::exchange(is_covered_, isCovered(scan));

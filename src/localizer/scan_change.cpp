@@ -110,18 +110,18 @@ struct Comparison {
 std::optional<Comparison> compare(const Panorama& before, const Scan& scan, int turn) {
   constexpr double kSame = 0.2, kSamePerMetre = 0.03;  // m
   int beams = 0;
-  Comparison beams_by;
+  Comparison comparison;
   forBeams(scan, [&](double bearing, double range) {
     ++beams;
     const double beyond = before.beyond(Panorama::binOf(bearing) + turn, range);
     if (beyond == Panorama::kUnknown) return;
-    ++beams_by.compared;
+    ++comparison.compared;
     const double same = kSame + kSamePerMetre * range;
-    beams_by.shorter += beyond < -same ? 1 : 0;
-    beams_by.longer += beyond > same ? 1 : 0;
+    comparison.shorter += beyond < -same ? 1 : 0;
+    comparison.longer += beyond > same ? 1 : 0;
   });
-  if (beams_by.compared <= kCompared * beams) return std::nullopt;
-  return beams_by;
+  if (comparison.compared <= kCompared * beams) return std::nullopt;
+  return comparison;
 }
 
 /// Whether it shows another place however the wheels slipped in a turn.

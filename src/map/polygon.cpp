@@ -5,6 +5,7 @@
 #include <limits>
 
 namespace adaptive_localization {
+
 Bounds boundsOf(const Polygon& polygon) {
   Bounds bounds{polygon.front(), polygon.front()};
   for (const auto& corner : polygon) {

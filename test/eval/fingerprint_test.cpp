@@ -31,6 +31,17 @@ TEST(Fingerprint, IsThatOfTheContentsOfTheFilesThatOptionsName) {
   EXPECT_NE(fingerprint(optionsWith(here.write("walls.yaml", "outline: [[0, 0]]\n"))), before);
 }
 
+/// They are refused by who loads them, with better words.
+TEST(Fingerprint, TakesMapsThatAreNone) {
+  const ToyExperiment toy;
+  toy.folder().write("map.yaml", "resolution: 0.05\n");
+  EXPECT_NO_THROW(toy.load(""));
+  const TempFolder folder;
+  Parameters parameters;
+  parameters.set("line_map", OptionValue(folder.file("")));
+  EXPECT_NO_THROW(fingerprint(parameters));
+}
+
 TEST(Fingerprint, IsAnotherForOtherOptions) {
   Parameters parameters;
   parameters.set("seed", 1);

@@ -40,7 +40,7 @@ class Kidnap(LocalizationCase):
         self.assertLess(back - begin, patience)
 
     def test_a_carried_robot_is_found_again(self):
-        for place in 3 * PLACES:  # now and then as soon as it was found
+        for place in 3 * PLACES:  # each a second after it was found
             with self.subTest(place=place):
                 self.assert_found_within(PATIENCE, self.carry(self.kidnaps, *place))
 
