@@ -46,7 +46,6 @@ void Recovery::beCarried(const Pose2& T_map_base) {
   proof_.demand();
   proof_.forgetRefuted();
   pace_.restart();
-  ground_.places->askAnew();
   status_ = Status::kLost;
   was_tracking_ = from_anywhere_ = false;
   doubt(T_map_base);
@@ -81,7 +80,9 @@ void Recovery::openDoubted(const Observations& observations) {
   novelty_.ride(asked->motion);
 }
 
+/// What is still being searched for is of no more use: by then odometry would have drifted.
 void Recovery::settle() {
+  ground_.places->askAnew();
   is_settled_ = true;
   leader_.reset();
   was_searched_ = searched_ = explained_ = has_left_ = false;

@@ -623,6 +623,24 @@ TEST(Recovery, ADoubtIsSettledByTheScanThatRaisedItToo) {
   EXPECT_GT(watched.shareOf(there), 2.0 * watched.shareOf(believed));
 }
 
+/// Odometry drifts meanwhile: what was searched for in another race tells nothing in this one.
+TEST(Recovery, ASearchThatTookTooLongIsForgottenWithTheRaceThatItWasFor) {
+  Watched watched(asymmetricWorld());
+  const Pose2 here{2.0, 3.0, -0.5}, there{8.0, 1.0, 2.0}, beside{8.05, 1.0, 2.0};
+  const auto see = [&](const Pose2& truth, const Pose2& core, SearchWork work) {
+    watched.places().beginUpdate({}, work);
+    watched.see(truth, core);
+  };
+  watched.tell(here);
+  see(here, here, kUnlimitedWork);
+  for (int i = 0; i < 5; ++i) see(there, here, 1);
+  ASSERT_TRUE(watched.recovery.modes().empty()) << "there is no answer yet";
+  watched.tell(beside);
+  see(beside, beside, kUnlimitedWork);
+  EXPECT_FALSE(watched.places().askedBefore(watched.laser.observe(watched.map, beside)));
+  EXPECT_EQ(watched.recovery.status(), Status::kTracking);
+}
+
 /// What was moved spoils some scans: with how much of the way behind it a place is compared with
 /// others, m; nothing if it never is.
 double wayUntilCompared(Watched& watched, Pose2 truth) {
