@@ -24,11 +24,14 @@ TEST(Novelty, NothingIsNewWhileTheRobotStands) {
   EXPECT_DOUBLE_EQ(novelty.news(kAllAround).sight, 0.0);
 }
 
-TEST(Novelty, AStepShowsOtherThings) {
+TEST(Novelty, ThreeStepsMakeANewScanAndAMetreShowsOtherThings) {
   Novelty novelty;
   novelty.ride({0.06, 0.08, 0.0});
   EXPECT_NEAR(novelty.news(kAllAround).share, 1.0 / 3.0, 1e-12);
-  EXPECT_NEAR(novelty.news(kAllAround).sight, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(novelty.news(kAllAround).sight, 0.1, 1e-12);
+  novelty.ride({0.2, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(novelty.news(kAllAround).share, 1.0);
+  EXPECT_NEAR(novelty.news(kAllAround).sight, 0.3, 1e-12);
   novelty.ride({1.0, 0.0, 0.0});
   EXPECT_DOUBLE_EQ(novelty.news(kAllAround).share, 1.0);
   EXPECT_DOUBLE_EQ(novelty.news(kAllAround).sight, 1.0);
