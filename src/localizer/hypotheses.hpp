@@ -232,6 +232,7 @@ class Hypotheses {
   Senses senses_;
   double least_error_{0.0};
   bool is_core_beside_{false};
+  int slips_sought_{0};  // by the last scan, for so many places
   std::vector<Hypothesis> all_;
   std::vector<Hypothesis> led_to_;  // by the last alignment: places of their own
   Pose2 T_map_kept_;

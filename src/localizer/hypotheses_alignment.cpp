@@ -76,6 +76,7 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for
   least_error_ = RangeError::kTruncation;
   is_core_beside_ = false;
   led_to_.clear();
+  slips_sought_ = 0;
   alignDue(refiner);
   const Hypothesis* core = nullptr;
   for (Hypothesis& hypothesis : all_) {

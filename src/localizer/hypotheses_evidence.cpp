@@ -67,10 +67,11 @@ std::size_t Hypotheses::roomForOthers() const {
   return hasLeader() ? kInTurn : kAtOnce;
 }
 
+/// A place that the last scan did not fit may not fit the next one either.
 SearchWork Hypotheses::work() const {
-  constexpr SearchWork kAlignedPlace = 4000;
+  constexpr SearchWork kAlignedPlace = 4000, kSlip = 12 * kAlignedPlace;
   const std::size_t judged = std::min(all_.size(), kLikeliest + roomForOthers());
-  return kAlignedPlace * static_cast<SearchWork>(judged);
+  return kAlignedPlace * static_cast<SearchWork>(judged) + kSlip * slips_sought_;
 }
 
 /// Of places that are sorted, likeliest first.

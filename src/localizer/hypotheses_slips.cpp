@@ -18,8 +18,10 @@ bool isSlip(const Pose2& slip) {
   return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
 }
 
-/// The best place a slip of the wheels, or a few, away from where odometry has the robot.
+/// The best place a slip of the wheels, or a few, away from where odometry has the robot: of all
+/// that can be, those where hits are nearest to obstacles are aligned.
 Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
+  constexpr std::size_t kAligned = 6;
   constexpr int kWays = 8, kTurns = 3;
   constexpr double kStep = 0.4, kTurn = 0.3;  // m, rad
   std::vector<Place> places;
@@ -31,9 +33,15 @@ Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
     }
   }
   for (int i = -kTurns; i <= kTurns; ++i) tryFrom({0.0, 0.0, kTurn * i});
-  parallelFor(places.size(), 1, [&](const Chunk& chunk) {
-    places[chunk.begin] = refiner.align(places[chunk.begin].T_map_base);
-  });
+  const auto forAll = [&](Place (PlaceRefiner::*moved)(const Pose2&) const) {
+    parallelFor(places.size(), 1, [&](const Chunk& chunk) {
+      places[chunk.begin] = (refiner.*moved)(places[chunk.begin].T_map_base);
+    });
+  };
+  forAll(&PlaceRefiner::approach);
+  std::stable_sort(places.begin(), places.end(), fitsBetter);
+  places.resize(kAligned);
+  forAll(&PlaceRefiner::align);
   return *std::min_element(places.begin(), places.end(), fitsBetter);
 }
 
@@ -65,6 +73,7 @@ void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept
                              const Place& aligned, double usual) {
   const double most = UsualError(usual).limit();
   if (refiner.errorPerHit(aligned) <= most) return;
+  ++slips_sought_;
   const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
   if (slipped.error > std::min(most, kFarBetter * aligned.error)) return;
   Hypothesis slip = kept.slippedTo(slipped.T_map_base);

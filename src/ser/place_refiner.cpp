@@ -7,9 +7,12 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr Eigen::Index kBeams = 90;        // looked at, of a scan that has more
-constexpr double kLeastStep = 0.005;       // m: steps are halved down to this for a place that was
-constexpr double kLeastStepHere = 0.0015;  // m: searched, and for one that is followed
+constexpr Eigen::Index kBeams = 90;  // looked at, of a scan that has more
+// Steps are halved down to this, m,
+constexpr double kRoughly = 0.02;     // where a place is guessed,
+constexpr double kSearched = 0.005;   // for one that was searched,
+constexpr double kFollowed = 0.0015;  // and for one that is followed
+constexpr double kStiffness = 0.2;    // m, of the odometry, against the sum over a scan's hits
 
 constexpr int kMoves = 6, kNoMove = -1;  // along x, y and theta, to and fro
 
@@ -42,7 +45,17 @@ double PlaceRefiner::hitShare(const Pose2& T_map_base, double distance) const {
   return static_cast<double>(near) / scan_.hits();
 }
 
-Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
+Place PlaceRefiner::refine(const Pose2& T_map_base) const {
+  const Pose2 pose = descend(T_map_base, 0.0, kSearched);
+  return {pose, error(pose)};
+}
+
+Place PlaceRefiner::approach(const Pose2& T_map_base) const {
+  const Pose2 pose = descend(T_map_base, kStiffness, kRoughly);
+  return {pose, misfit(pose)};
+}
+
+Pose2 PlaceRefiner::descend(const Pose2& T_map_base, double stiffness, double least_step) const {
   const auto cost = [&](const Pose2& pose) {
     const double way = distance(pose, T_map_base) / 0.1;
     const double turned = wrapAngle(pose.theta - T_map_base.theta) / 0.05;
@@ -51,7 +64,6 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
   Pose2 pose = T_map_base;
   double step = std::max(0.04, 0.5 * field_->lattice().resolution());  // m
   double turn = 0.5 * kDirectionStep;                                  // rad
-  const double least_step = stiffness > 0.0 ? kLeastStepHere : kLeastStep;
   double best = cost(pose);
   int failed = 0, back = kNoMove;  // moves in a row that were no better; the one that goes back
   for (int k = 0; step > least_step; k = (k + 1) % kMoves) {
@@ -74,12 +86,12 @@ Place PlaceRefiner::refine(const Pose2& T_map_base, double stiffness) const {
       k = kMoves - 1;  // on with the first
     }
   }
-  return {pose, error(pose)};
+  return pose;
 }
 
 Place PlaceRefiner::align(const Pose2& T_map_base) const {
-  constexpr double kStiffness = 0.2;  // m, of the odometry, against the sum over a scan's hits
-  const Place moved = refine(T_map_base, kStiffness);
+  const Pose2 pose = descend(T_map_base, kStiffness, kFollowed);
+  const Place moved{pose, error(pose)};
   const Place stayed{T_map_base, error(T_map_base)};
   const bool is_better = moved.error <= stayed.error && areSamePlace(moved.T_map_base, T_map_base);
   return is_better ? moved : stayed;

@@ -11,8 +11,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr int kHeadingsPerGroup = 3;
-constexpr std::size_t kBlocksAtOnce = 256;
-constexpr SearchWork kBoundsPerPose = 2;  // which lie one after the other in memory
+constexpr std::size_t kBlocksAtOnce = 128;
 constexpr SearchWork kSortedPerPose = 8;
 
 const RangeKernel kSumOfDistances = fastestSumOfDistances();
@@ -39,7 +38,7 @@ bool PoseSearch::bound(SearchWork& left) {
   while (bounded_ < blocks.size() && left > 0) {
     const std::size_t count = std::min(kBlocksAtOnce, blocks.size() - bounded_);
     bounds.resize(count * per_block);
-    parallelFor(count, 128, [&](const Chunk& chunk) {
+    parallelFor(count, 32, [&](const Chunk& chunk) {
       for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
         const std::size_t block = bounded_ + k;
         for (int g = 0; g < groups_.size(); ++g) {
@@ -51,7 +50,7 @@ bool PoseSearch::bound(SearchWork& left) {
     });
     keep(bounded_, bounds);
     bounded_ += count;
-    left -= static_cast<SearchWork>(bounds.size()) / kBoundsPerPose;
+    left -= static_cast<SearchWork>(bounds.size());
   }
   return bounded_ == blocks.size();
 }

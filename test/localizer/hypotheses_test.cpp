@@ -660,6 +660,16 @@ TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
   }
 }
 
+TEST(Hypotheses, TakeMoreWorkAfterAScanForWhichASlipWasLookedFor) {
+  const auto workAfter = [](const Pose2& kept) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.addKept(kept, tracked(1.0));
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+    return hypotheses.work();
+  };
+  EXPECT_GT(workAfter(kWrong), 10 * workAfter(kTruth));
+}
+
 /// Most hits are on walls there, too: the place is the same, and the core is right within it.
 TEST(Hypotheses, AlongAWallAKeptPlaceIsNotLostAndACoreThatSeesTheSlipIsHeld) {
   Hypotheses hypotheses(asymmetricWorld());
