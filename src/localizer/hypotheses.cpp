@@ -162,23 +162,26 @@ void Hypotheses::prune(Against against) {
   const bool is_disputed = std::any_of(
       all_.begin(), all_.end(), [](const Hypothesis& hypothesis) { return hypothesis.is_spared; });
   const double far_better = all_.empty() ? 0.0 : kFarBetter * all_.front().error;
-  std::vector<Hypothesis> before;
-  before.swap(all_);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const Hypothesis& hypothesis = before[i];
+  bool is_kept_out = false;
+  std::vector<Hypothesis> left;  // all are there until it is complete: memory may run out
+  left.reserve(all_.size());
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const Hypothesis& hypothesis = all_[i];
     const bool is_likely = i < first_unlikely;
     const bool is_slip = hypothesis.has_slipped && hypothesis.error < far_better;
     const bool is_left = is_likely || is_slip || (is_disputed && hypothesis.is_explained);
-    const auto same = placeAt(all_, hypothesis.T_map_base);
-    if (same != all_.end()) {
+    const auto same = placeAt(left, hypothesis.T_map_base);
+    if (same != left.end()) {
       same->was_believed = same->was_believed || hypothesis.was_believed;
       same->has_slipped = same->has_slipped || hypothesis.has_slipped;
     } else if (is_left) {
-      all_.push_back(hypothesis);
+      left.push_back(hypothesis);
     } else if (hypothesis.was_believed) {
-      is_kept_ruled_out_ = true;
+      is_kept_out = true;
     }
   }
+  all_.swap(left);
+  is_kept_ruled_out_ = is_kept_ruled_out_ || is_kept_out;
 }
 
 bool Hypotheses::isOutdone(const Pose2& T_map_core) const {

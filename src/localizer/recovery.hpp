@@ -151,6 +151,8 @@ class Recovery {
   double errorAt(const Pose2& T_map_base, const Observations& observations) const;
   bool canSearch(const Observations& observations) const;
   std::optional<std::vector<Place>> placesFor(const Observations& observations) const;
+  void compare(const Pose2& expected, const Pose2& T_map_base, double error,
+               const Observations& observations);
   bool isRaceDue(const Pose2& expected, const Pose2& T_map_base, double error,
                  const Observations& observations);
   bool isAnswered(const Observations& observations) const;
