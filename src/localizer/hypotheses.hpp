@@ -72,6 +72,7 @@ class Hypotheses {
     is_kept_ruled_out_ = false;
     left_out_.reset();
     least_error_ = 0.0;
+    slips_sought_ = 0;
   }
   bool isEmpty() const { return all_.empty(); }
 

@@ -112,6 +112,7 @@ void Hypotheses::correctBySenses(const Observations& observations) {
   least_error_ = RangeError::kTruncation;
   led_to_.clear();
   is_core_beside_ = false;
+  slips_sought_ = 0;
   for (Hypothesis& hypothesis : all_) {
     if (!hypothesis.is_due) continue;
     const Gaussian2 corrected = correctedBySenses(hypothesis, observations);

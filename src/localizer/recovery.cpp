@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "occlusion.hpp"
@@ -136,25 +135,6 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   followDoubted(T_map_base, observations.scan);
   compare(T_map_base_expected, T_map_base, error, observations);
   updateStatus();
-}
-
-/// Where memory runs out, a race that begins is off, and the place is as known as it was.
-void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double error,
-                       const Observations& observations) {
-  const bool was_settled = is_settled_;
-  try {
-    if (is_settled_ && isRaceDue(expected, T_map_base, error, observations)) {
-      in_doubt_ ? openDoubted(observations) : open(expected);
-    } else if (is_settled_) {
-      pace_.skipScan();
-    }
-    if (is_settled_) return;
-    race(T_map_base, error, observations);
-    if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
-  } catch (const std::exception&) {
-    if (was_settled) settle();
-    throw;
-  }
 }
 
 bool Recovery::isUnverified(const Observations& observations) const {

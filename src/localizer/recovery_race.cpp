@@ -2,6 +2,7 @@
 // The race between the places where the robot can be, from the doubt that opens it to the one place
 // that is left.
 #include <algorithm>
+#include <exception>
 
 #include "localizer/recovery.hpp"
 #include "ser/places.hpp"
@@ -94,6 +95,25 @@ void Recovery::settle() {
   novelty_.restart();
   hypotheses_.clear();
   modes_.clear();
+}
+
+/// Where memory runs out, a race that begins is off, and the place is as known as it was.
+void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double error,
+                       const Observations& observations) {
+  const bool was_settled = is_settled_;
+  try {
+    if (is_settled_ && isRaceDue(expected, T_map_base, error, observations)) {
+      in_doubt_ ? openDoubted(observations) : open(expected);
+    } else if (is_settled_) {
+      pace_.skipScan();
+    }
+    if (is_settled_) return;
+    race(T_map_base, error, observations);
+    if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
+  } catch (const std::exception&) {
+    if (was_settled) settle();
+    throw;
+  }
 }
 
 /// Where the core believes to be, with the mean range error there, counts as well, whether the

@@ -27,7 +27,7 @@ class PlaceRefiner {
   /// and moves their squares. Where the scan does not fix the pose, as along a wall, it stays.
   Place align(const Pose2& T_map_base) const;
 
-  /// The same to some centimetres, judged by that sum alone, m: at a tenth of the cost.
+  /// The same to some centimetres, judged by that sum alone, m: at a quarter of the cost.
   Place approach(const Pose2& T_map_base) const;
 
   /// Of ranges, truncated, both cut off at max_range.
