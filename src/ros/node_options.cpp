@@ -2,8 +2,10 @@
 #include "node_options.hpp"
 
 #include <ros/console.h>
+#include <ros/names.h>
 
 #include <map>
+#include <regex>
 #include <stdexcept>
 
 #include "adaptive_localization/localizer/localizer.hpp"
@@ -27,6 +29,11 @@ std::string textOf(const std::vector<OptionDescription>& options) {
   std::string text;
   for (const auto& row : options) text += "\n  " + row.key + ": " + toText(row.value);
   return text;
+}
+
+/// Whether an option has the names of topics: heading_topic, scan_topics.
+bool isOfTopics(const std::string& key) {
+  return std::regex_match(key, std::regex(".*_topics?"));
 }
 
 }  // namespace
@@ -65,8 +72,22 @@ NodeOptions withPlainFrames(NodeOptions options) {
   return options;
 }
 
+void checkTopics(const NodeOptions& options) {
+  for (const auto& option : describe(options)) {
+    const auto* topics = std::get_if<std::string>(&option.value);
+    if (!topics || !isOfTopics(option.key)) continue;
+    for (const std::string& name : namesIn(*topics)) {
+      std::string reason;
+      if (ros::names::validate(name, reason)) continue;
+      throw std::invalid_argument("option '" + option.key + "': got '" + name +
+                                  "', expected the name of a topic: " + reason);
+    }
+  }
+}
+
 NodeOptions readNodeOptions(const Parameters& parameters) {
   const NodeOptions options = withPlainFrames(parameters.read<NodeOptions>());
+  checkTopics(options);
   const Localizer localizer(parameters, trialMap());
   std::vector<std::string> known = keysOf(describe(options));
   for (const auto& key : keysOf(localizer.allOptions())) known.push_back(key);

@@ -124,6 +124,9 @@ std::vector<OptionDescription> changedOptions(const Parameters& parameters);
 /// naming key and value of one that is empty or another one's as well.
 NodeOptions withPlainFrames(NodeOptions options);
 
+/// Throws std::invalid_argument naming key and value of what cannot be the name of a topic.
+void checkTopics(const NodeOptions& options);
+
 /// Reads the node's options and says which ones differ from the defaults; to the logger "options",
 /// at debug level, all of them. Makes a localizer on the trial map on the way, so that wrong
 /// parameters show at the start, not with the map.

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "best_poses.hpp"
 #include "place_refiner.hpp"
 #include "pose_search.hpp"
-#include "range_kernel.hpp"
-#include "scan_targets.hpp"
 
 namespace adaptive_localization {
 
@@ -53,22 +50,6 @@ std::vector<SearchPose> GlobalSearch::findPoses(const DirectionalScan& scan) con
   visited_share_ =
       static_cast<double>(search->visited()) / (static_cast<double>(ranges().size()) * kDirections);
   return search->takePoses();
-}
-
-std::vector<SearchPose> GlobalSearch::findPosesPlainly(const DirectionalScan& scan) const {
-  const RangeKernel sum_of_distances = fastestSumOfDistances();
-  const ScanTargets targets(scan, 1);
-  const PoseSearchLimits limits = limitsFor(scan);
-  BestPoses best(limits.margin, limits.greatest);
-  for (std::uint32_t cell = 0; cell < ranges().size(); ++cell) {
-    const std::uint8_t* seen = ranges().ranges(cell);
-    for (int d = 0; d < kDirections; ++d) {
-      best.add(
-          {cell, d, sum_of_distances(seen, seen, targets.of(d), limits.truncation, best.limit())});
-    }
-  }
-  visited_share_ = 1.0;
-  return best.sorted();
 }
 
 }  // namespace adaptive_localization

@@ -63,9 +63,6 @@ class GlobalSearch {
   /// The same, to be done in parts.
   std::unique_ptr<PoseSearch> begin(const DirectionalScan& scan) const;
 
-  /// The same by looking at every pose.
-  std::vector<SearchPose> findPosesPlainly(const DirectionalScan& scan) const;
-
   /// Moves poses to where the scan, which must outlive it, fits best nearby.
   std::unique_ptr<const PlaceRefiner> refinerFor(const Scan& scan) const;
 

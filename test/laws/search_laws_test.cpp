@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <tuple>
+#include <vector>
 
 #include "../ser/ser_toys.hpp"
 
@@ -44,7 +48,7 @@ class SearchLaw : public testing::Test {
 
   void expectSameAsPlain(const DirectionalScan& scan) {
     const auto fast = search_->findPoses(scan);
-    const auto plain = search_->findPosesPlainly(scan);
+    const auto plain = lookAtEveryPose(scan);
     ASSERT_TRUE(!plain.empty() || options_.search_max_error < 1.0);
     ASSERT_EQ(fast.size(), plain.size());
     for (std::size_t i = 0; i < fast.size(); ++i) {
@@ -54,18 +58,47 @@ class SearchLaw : public testing::Test {
     }
   }
 
-  /// The cost by its formula.
-  int costOf(const DirectionalScan& scan, std::size_t cell, int direction) const {
-    const RangeTable& table = grid_->ranges();
-    const int truncation =
-        static_cast<int>(std::lround(options_.search_truncation / table.metresPerStep()));
-    int cost = 0;
-    for (int k = 0; k < kDirections; ++k) {
-      const int range = scan.range[static_cast<std::size_t>(k)];
-      const int seen = table.ranges(cell)[(direction + k) % kDirections];
-      if (range >= 0) cost += std::min(std::abs(range - seen), truncation);
+  int inSteps(double range) const {
+    return static_cast<int>(std::ceil(range / grid_->ranges().metresPerStep()));
+  }
+
+  /// The costs of the headings at a cell by their formula.
+  std::array<int, kDirections> costsAt(std::uint32_t cell, const DirectionalScan& scan) const {
+    const double steps = options_.search_truncation / grid_->ranges().metresPerStep();
+    const auto truncation = static_cast<int>(std::clamp(std::round(steps), 1.0, 255.0));
+    std::array<int, 2 * kDirections> seen;  // twice around
+    for (int k = 0; k < 2 * kDirections; ++k) {
+      seen[static_cast<std::size_t>(k)] = grid_->ranges().ranges(cell)[k % kDirections];
     }
-    return cost;
+    std::array<int, kDirections> costs{};
+    for (std::size_t d = 0; d < costs.size(); ++d) {
+      for (std::size_t k = 0; k < costs.size(); ++k) {
+        const int error = std::min(std::abs(scan.range[k] - seen[d + k]), truncation);
+        costs[d] += scan.range[k] >= 0 ? error : 0;
+      }
+    }
+    return costs;
+  }
+
+  /// What findPoses() says that it gives.
+  std::vector<SearchPose> lookAtEveryPose(const DirectionalScan& scan) const {
+    std::vector<SearchPose> poses;
+    int most = inSteps(options_.search_max_error * scan.valid);
+    for (std::uint32_t cell = 0; cell < grid_->ranges().size(); ++cell) {
+      const auto costs = costsAt(cell, scan);
+      for (int direction = 0; direction < kDirections; ++direction) {
+        const int cost = costs[static_cast<std::size_t>(direction)];
+        if (cost <= most) poses.push_back({cell, direction, cost});
+        most = std::min(most, cost + inSteps(options_.search_margin * scan.valid));
+      }
+    }
+    std::sort(poses.begin(), poses.end(), [](const SearchPose& a, const SearchPose& b) {
+      return std::tie(a.cost, a.cell, a.direction) < std::tie(b.cost, b.cell, b.direction);
+    });
+    const auto is_worse = [most](const SearchPose& pose) { return pose.cost > most; };
+    poses.erase(std::find_if(poses.begin(), poses.end(), is_worse), poses.end());
+    poses.resize(std::min<std::size_t>(poses.size(), 100000));
+    return poses;
   }
 
   std::shared_ptr<const EnergyGrid> grid_;
@@ -73,33 +106,6 @@ class SearchLaw : public testing::Test {
   std::shared_ptr<const GlobalSearch> search_;
   Rng rng_{4};
 };
-
-TEST_F(SearchLaw, PlainSearchIsTheFormula) {
-  use(smallRoom());
-  for (int n = 0; n < 20; ++n) {
-    const DirectionalScan scan = n % 2 == 0 ? noisyScan(0.1) : randomScan(rng_, 91);
-    const auto found = search_->findPosesPlainly(scan);
-    int best = 1 << 30;
-    std::size_t within = 0;
-    const int margin =
-        static_cast<int>(std::ceil(0.05 * scan.valid / grid_->ranges().metresPerStep()));
-    for (const bool is_counting : {false, true}) {
-      for (std::size_t cell = 0; cell < grid_->ranges().size(); ++cell) {
-        for (int d = 0; d < kDirections; ++d) {
-          const int cost = costOf(scan, cell, d);
-          best = std::min(best, cost);
-          within += is_counting && cost <= best + margin ? 1 : 0;
-        }
-      }
-    }
-    ASSERT_FALSE(found.empty());
-    EXPECT_EQ(found.front().cost, best);
-    EXPECT_EQ(found.size(), within);
-    for (const SearchPose& pose : found) {
-      ASSERT_EQ(pose.cost, costOf(scan, pose.cell, pose.direction));
-    }
-  }
-}
 
 TEST_F(SearchLaw, FindsWhatLookingAtEveryPoseFinds) {
   use(toyWorld({"########", "#...#..#", "#......#", "#.#....#", "########"}, 0.5));
@@ -157,7 +163,9 @@ TEST_F(SearchLaw, HoldsOnTheMazeForAFractionOfTheWork) {
     const DirectionalScan scan = noisyScan(0.05);
     search_->findPoses(scan);
     visited.push_back(search_->visitedShare());
-    ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(scan)) << n;
+    if (n % 5 == 0) {
+      ASSERT_NO_FATAL_FAILURE(expectSameAsPlain(scan)) << n;
+    }
   }
   std::sort(visited.begin(), visited.end());
   EXPECT_LE(visited[visited.size() / 2], 0.05);

@@ -125,6 +125,7 @@ class StartUp(unittest.TestCase):
                 ("line_map", "/does/not/exist.yaml",
                  "option 'line_map': floor plan '/does/not/exist.yaml'"),
                 ("match_reach", "0.1", "'match_reach': got '0.1', expected at least"),
+                ("imu_topic", "3d", "'imu_topic': got '3d', expected the name of a topic: "),
                 ("transform_tolerance", "-1", "'transform_tolerance': got '-1'")]:
             process = self.start("_%s:=%s" % (key, value))
             output = process.communicate(timeout=AT_LAST)[0].decode()

@@ -13,7 +13,7 @@ class Draw(unittest.TestCase):
     def refusal(self, text, *arguments):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "what.json"
-            file.write_text(text)
+            file.write_bytes(text.encode("latin-1"))
             done = subprocess.run(["/usr/bin/python3", str(SCRIPT), str(file), *arguments], stdout=subprocess.PIPE,
                                   stderr=subprocess.PIPE, universal_newlines=True)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
@@ -26,8 +26,9 @@ class Draw(unittest.TestCase):
         self.assertIn("expected one of energies, sonar_maps", self.refusal('{"kind": "song"}'))
 
     def test_what_is_missing_is_named(self):
-        self.assertIn("draw: ", self.refusal(""))
-        self.assertIn("'map'", self.refusal('{"kind": "energies"}'))
+        for text in ("", "\xd6\x00", '{"kind": '):
+            self.assertIn("what.json': ", self.refusal(text))
+        self.assertIn("what.json': no 'map'", self.refusal('{"kind": "energies"}'))
         self.assertIn("/nosuch/map.yaml", self.refusal('{"kind": "energies", "map": "/nosuch/map.yaml"}'))
 
     def test_a_picture_that_cannot_be_written_is_named(self):

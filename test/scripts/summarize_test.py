@@ -247,9 +247,9 @@ class Summarize(unittest.TestCase):
         self.assertIn("toy/hall/kld", errors)
 
     def test_names_file_and_line_of_what_is_no_result(self):
-        for text in ("this is\n", "{}\n", "[1, 2]\n", "3\n"):
+        for text in (b"this is\n", b"{}\n", b"[1, 2]\n", b"3\n", b"\xd6\n"):
             path = pathlib.Path(self.write(ten_runs()))
-            path.write_text(path.read_text() + text)
+            path.write_bytes(path.read_bytes() + text)
             code, _, errors = self.call(str(path))
             self.assertEqual(code, 1)
             self.assertIn("runs.jsonl', line 11: no result", errors)
