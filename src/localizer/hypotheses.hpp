@@ -203,8 +203,8 @@ class Hypotheses {
   PlaceRefiner refinerFor(const Scan& scan) const;
   Place alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis, const Place& before,
                     double usual);
-  void lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, const Place& aligned,
-                   double usual);
+  Place lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept, const Place& aligned,
+                    double usual);
 
   bool hasLeader() const;
   std::size_t roomForOthers() const;

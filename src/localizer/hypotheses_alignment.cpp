@@ -87,7 +87,9 @@ void Hypotheses::align(const PlaceRefiner& refiner, double usual, bool looks_for
       core = &hypothesis;
       place = alignedCore(refiner, hypothesis, place, usual);
     }
-    if (looks_for_slips && hypothesis.isKnown()) lookForSlip(refiner, hypothesis, place, usual);
+    if (looks_for_slips && hypothesis.isKnown()) {
+      place = lookForSlip(refiner, hypothesis, place, usual);
+    }
     hypothesis.settleAt(place, place.error <= UsualError(usual).limit());
     least_error_ = std::min(least_error_, place.error);
   }

@@ -68,14 +68,17 @@ bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) con
 
 /// A place that was known and does not fit may be a slip away, which is likelier than any other. It
 /// becomes one of its own, since a map where walls are missing may deceive; if it is there already,
-/// as the core went there, it is as likely.
-void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept,
-                             const Place& aligned, double usual) {
+/// as the core went there, it is as likely. Where it is still the same place, the known one is
+/// there.
+Place Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept,
+                              const Place& aligned, double usual) {
   const double most = UsualError(usual).limit();
-  if (refiner.errorPerHit(aligned) <= most) return;
+  if (refiner.errorPerHit(aligned) <= most) return aligned;
   ++slips_sought_;
   const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
-  if (slipped.error > std::min(most, kFarBetter * aligned.error)) return;
+  if (slipped.error > std::min(most, kFarBetter * aligned.error)) return aligned;
+  const bool is_there = areSamePlace(slipped.T_map_base, kept.T_map_ridden);
+  if (is_there && !kept.wouldShiftTo(slipped.T_map_base)) return slipped;
   Hypothesis slip = kept.slippedTo(slipped.T_map_base);
   slip.error = slipped.error;
   const auto known = placeAt(all_, slipped.T_map_base);
@@ -86,6 +89,7 @@ void Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kept
     known->word = slip.word;
     known->has_slipped = true;
   }
+  return aligned;
 }
 
 }  // namespace adaptive_localization

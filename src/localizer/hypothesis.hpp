@@ -79,9 +79,15 @@ struct Hypothesis {
 
   /// To be at a pose it would have moved by more than wheels can slip on the way they rolled.
   bool wouldSlideTo(const Pose2& pose) const {
-    constexpr double kOff = 0.3, kPerTurn = 0.2, kTurned = 0.25;  // m, m/rad, rad
-    return distance(T_map_rolled, pose) > kOff + rolled + kPerTurn * turned ||
+    constexpr double kTurned = 0.25;  // rad
+    return wouldShiftTo(pose) ||
            std::abs(wrapAngle(pose.theta - T_map_rolled.theta)) > kTurned + turned;
+  }
+
+  /// The same of its position alone.
+  bool wouldShiftTo(const Pose2& pose) const {
+    constexpr double kOff = 0.3, kPerTurn = 0.2;  // m, m/rad
+    return distance(T_map_rolled, pose) > kOff + rolled + kPerTurn * turned;
   }
 
   /// The wheels slipped from here to another place, which no scan told from all others yet.

@@ -67,7 +67,7 @@ class Calibration(unittest.TestCase):
         self.assertLess(reliability.calibration_error(scans, near), 0.1, told)
 
     def test_confidence_where_places_look_alike_and_after_kidnapping(self):
-        self.assertCalibrated(experiments("lookalike.yaml", "/sa_kld$", 2) + experiments("kidnap.yaml", "/sa_kld$", 4)
+        self.assertCalibrated(experiments("lookalike.yaml", "/sa_kld$", 3) + experiments("kidnap.yaml", "/sa_kld$", 4)
                               + experiments("global_start.yaml", "/sa_kld$", 4), most_modest=0.1)
 
     def test_covariances_are_exact_where_all_noise_is_known(self):

@@ -660,6 +660,23 @@ TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
   }
 }
 
+/// In a turn, less than a place away: it is the same one, and there, though an alignment does not
+/// lead there.
+TEST(Hypotheses, AKeptPlaceIsWhereWheelsSlippedToThoughThatIsTheSamePlace) {
+  for (const Pose2& slip : {Pose2{0.2, 0.2, -0.3}, {0.25, 0.0, 0.34}, {0.0, 0.0, -0.34}}) {
+    Hypotheses kept(asymmetricWorld()), other(asymmetricWorld());
+    kept.addKept(kTruth * slip, tracked(1.0));  // 12 nats
+    other.add(kTruth * slip, 12.0);
+    for (Hypotheses* hypotheses : {&kept, &other}) {
+      hypotheses->weigh(seenAt(kTruth), News{}, kUsual);
+    }
+    const auto near_truth = PoseNear(kTruth, 0.05, 0.02);
+    ASSERT_EQ(kept.modes().size(), 1U) << slip.theta;
+    EXPECT_THAT(kept.modes().front().T_map_base, near_truth) << slip.theta;
+    EXPECT_THAT(other.modes().front().T_map_base, testing::Not(near_truth)) << slip.theta;
+  }
+}
+
 TEST(Hypotheses, TakeMoreWorkAfterAScanForWhichASlipWasLookedFor) {
   const auto workAfter = [](const Pose2& kept) {
     Hypotheses hypotheses(asymmetricWorld());
