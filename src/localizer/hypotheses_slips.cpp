@@ -18,6 +18,14 @@ bool isSlip(const Pose2& slip) {
   return std::hypot(slip.x, slip.y) < kWay && std::abs(slip.theta) < kTurn;
 }
 
+/// Wheels slipped in a turn, and the robot is still in the same place.
+bool hasTurned(const Hypothesis& kept, const Pose2& T_map_slipped) {
+  constexpr double kTurned = 0.25;  // rad
+  const double turned = wrapAngle(T_map_slipped.theta - kept.T_map_ridden.theta);
+  return std::abs(turned) > kTurned && areSamePlace(T_map_slipped, kept.T_map_ridden) &&
+         !kept.wouldShiftTo(T_map_slipped);
+}
+
 /// The best place a slip of the wheels, or a few, away from where odometry has the robot: of all
 /// that can be, those where hits are nearest to obstacles are aligned.
 Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
@@ -77,8 +85,7 @@ Place Hypotheses::lookForSlip(const PlaceRefiner& refiner, const Hypothesis& kep
   ++slips_sought_;
   const Place slipped = slippedFrom(refiner, kept.T_map_ridden);
   if (slipped.error > std::min(most, kFarBetter * aligned.error)) return aligned;
-  const bool is_there = areSamePlace(slipped.T_map_base, kept.T_map_ridden);
-  if (is_there && !kept.wouldShiftTo(slipped.T_map_base)) return slipped;
+  if (hasTurned(kept, slipped.T_map_base)) return slipped;
   Hypothesis slip = kept.slippedTo(slipped.T_map_base);
   slip.error = slipped.error;
   const auto known = placeAt(all_, slipped.T_map_base);

@@ -661,20 +661,23 @@ TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {
 }
 
 /// In a turn, less than a place away: it is the same one, and there, though an alignment does not
-/// lead there.
-TEST(Hypotheses, AKeptPlaceIsWhereWheelsSlippedToThoughThatIsTheSamePlace) {
+/// lead there. What is only beside it may fit as a thing was moved.
+TEST(Hypotheses, AKeptPlaceIsWhereWheelsSlippedToInATurnThoughThatIsTheSamePlace) {
+  const auto keptAfter = [](const Pose2& slip, bool is_known) {
+    Hypotheses hypotheses(asymmetricWorld());
+    is_known ? hypotheses.addKept(kTruth * slip, tracked(1.0))
+             : hypotheses.add(kTruth * slip, 12.0);
+    hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+    EXPECT_EQ(hypotheses.modes().size(), 1U);
+    return hypotheses.modes().front().T_map_base;
+  };
+  const auto near_truth = PoseNear(kTruth, 0.05, 0.02);
   for (const Pose2& slip : {Pose2{0.2, 0.2, -0.3}, {0.25, 0.0, 0.34}, {0.0, 0.0, -0.34}}) {
-    Hypotheses kept(asymmetricWorld()), other(asymmetricWorld());
-    kept.addKept(kTruth * slip, tracked(1.0));  // 12 nats
-    other.add(kTruth * slip, 12.0);
-    for (Hypotheses* hypotheses : {&kept, &other}) {
-      hypotheses->weigh(seenAt(kTruth), News{}, kUsual);
-    }
-    const auto near_truth = PoseNear(kTruth, 0.05, 0.02);
-    ASSERT_EQ(kept.modes().size(), 1U) << slip.theta;
-    EXPECT_THAT(kept.modes().front().T_map_base, near_truth) << slip.theta;
-    EXPECT_THAT(other.modes().front().T_map_base, testing::Not(near_truth)) << slip.theta;
+    EXPECT_THAT(keptAfter(slip, true), near_truth) << slip.theta;
+    EXPECT_THAT(keptAfter(slip, false), testing::Not(near_truth)) << slip.theta;
   }
+  const Pose2 beside{0.2, 0.15, -0.24};
+  EXPECT_THAT(keptAfter(beside, true), testing::Not(near_truth));
 }
 
 TEST(Hypotheses, TakeMoreWorkAfterAScanForWhichASlipWasLookedFor) {
