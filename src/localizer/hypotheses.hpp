@@ -115,7 +115,7 @@ class Hypotheses {
   bool knows(const Pose2& T_map_base) const;
 
   /// Whether wheels can have slipped to one of the places, from where odometry has the robot or by
-  /// some slips on the way.
+  /// some slips on the way; to any if there are none.
   bool haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const;
 
   /// Those that explain what other senses tell, once they are corrected by it: whose misfit is

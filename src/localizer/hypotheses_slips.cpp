@@ -70,8 +70,10 @@ void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
 }
 
 bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const {
+  const bool is_slip = isSlip(between(T_map_from, T_map_to));
+  if (all_.empty()) return is_slip;
   const auto place = placeAt(all_, T_map_to);
-  return place != all_.end() && (place->has_slipped || isSlip(between(T_map_from, T_map_to)));
+  return place != all_.end() && (place->has_slipped || is_slip);
 }
 
 /// A place that was known and does not fit may be a slip away, which is likelier than any other. It

@@ -68,11 +68,11 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
   return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
-/// Where odometry has the robot is ruled out, and the scan fits where the core has it, to where the
-/// wheels slipped.
+/// Where odometry has the robot is ruled out, as it is where the core's place is the only one, and
+/// the scan fits where the core has it, to where the wheels slipped.
 bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  return scan_fits_ && shareOf(T_map_base_by_odometry) < kRuledOut &&
-         hypotheses_.haveSlipped(T_map_base_by_odometry, T_map_base);
+  const bool is_ruled_out = is_settled_ || shareOf(T_map_base_by_odometry) < kRuledOut;
+  return scan_fits_ && is_ruled_out && hypotheses_.haveSlipped(T_map_base_by_odometry, T_map_base);
 }
 
 /// A robot that was known or told to be somewhere is there, as the core has it, until that place is

@@ -288,6 +288,23 @@ TEST(Recovery, AfterASlipThePoseIsWhereTheCoreHasItThoughOtherPlacesLookAlike) {
   EXPECT_THAT(publishedFor({8.0, 1.0, 0.0}), PoseNear(by_odometry, 1e-9, 1e-9));
 }
 
+/// No other place is left, and the status is ambiguous for another reason: the cloud has two parts.
+TEST(Recovery, AfterASlipThePoseIsWhereTheCoreHasItWhereThatIsTheOnlyPlace) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{1.0, 1.0, 0.0};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  const Eigen::Matrix3d covariance = 1e-3 * Eigen::Matrix3d::Identity();
+  const Estimate core{
+      truth, covariance, {{truth, covariance, 0.8}, {{8.0, 1.0, 0.0}, covariance, 0.2}}};
+  watched.recovery.observe({}, truth, core, watched.laser.observe(watched.map, truth));
+  ASSERT_EQ(watched.recovery.status(), Status::kAmbiguous);
+  ASSERT_TRUE(watched.recovery.modes().empty());
+  const Pose2 slip{0.1, 0.0, 0.7}, jump{1.5, 0.0, 0.0};
+  EXPECT_THAT(watched.recovery.published(truth * slip, core), PoseNear(truth, 1e-9, 1e-9));
+  EXPECT_THAT(watched.recovery.published(truth * jump, core), PoseNear(truth * jump, 1e-9, 1e-9));
+}
+
 TEST(Recovery, ACarriedRobotIsFoundAtTheSecondScan) {
   Watched watched(asymmetricWorld());
   Pose2 truth{1.0, 1.0, 0.0};
