@@ -46,13 +46,13 @@ struct LocalizerOptions {
            "Distance to travel before the filter is updated.");
     option("update_min_a", update_min_a, kNotNegative, "rad",
            "Angle to turn before the filter is updated.");
-    option(
-        "update_budget", update_budget, kNotNegative, "ms",
-        "Work limit of map searches per update in nominal ms: 40000 poses evaluated each, about "
-        "1 ms of a 3 GHz core, so that results do not depend on the machine. Comparing places "
-        "comes first: 0.1 ms each, and 1.2 ms for each that slipping wheels may have left; a "
-        "fifth is left for searches. A longer search continues with the next scans; 0: no limit. "
-        "The search at the first scan and the one that verifies an initial pose are not limited.");
+    option("update_budget", update_budget, kNotNegative, "ms",
+           "Work limit of map searches per update in nominal ms: 40000 poses evaluated each, about "
+           "1 ms of a 3 GHz core, so that results do not depend on the machine. Comparing places "
+           "comes first: 0.1 ms each, and 1.2 ms for each that slipping wheels may have left; a "
+           "fifth is left for searches. A longer search continues with the next scans; 0: no "
+           "limit. The search at the first scan and the one that verifies an initial pose are not "
+           "limited.");
     option("search_share", search_share, Range{0.0, 1.0}, "",
            "Share of the time between two scans, 0.2 s at the most, for which a search of the map "
            "continues after the pose has been published, while the robot is lost; in nominal ms as "
