@@ -44,7 +44,7 @@ void Recovery::reset(const Prior& prior) {
   T_odom_base_.reset();
   is_at_rest_ = is_covered_ = false;
   way_on_ = 0.0;
-  is_carried_ = was_refuted_ = were_many_ = false;
+  is_carried_ = has_left_leader_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
   doubted_.clear();
@@ -111,7 +111,9 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const bool is_nowhere = !is_settled_ && odds_.areSpent();  // what the race is between is void
   const bool fits_on = !is_nowhere && error <= kWorse * std::max(error_, usual_.value());
   if (std::exchange(is_carried_, false) && !fits_on) beCarried(T_map_base_expected);
-  if (isSudden(T_map_base, observations.scan, error)) proof_.suspect();
+  const bool is_sudden = isSudden(T_map_base, observations.scan, error);
+  if (is_sudden && is_settled_) proof_.suspect();
+  has_left_leader_ = is_sudden && !is_settled_;
   error_ = error;
   scan_fits_ = error <= usual_.limit();
   if (scan_fits_) way_on_ += wayOf(motion);
@@ -193,7 +195,8 @@ bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {
 /// scans of robots that were not carried, 5.
 bool Recovery::isSudden(const Pose2& T_map_base, const Scan& scan, double error) const {
   constexpr double kFarWorseThanLast = 2.0, kThrough = 0.05;  // of the beams
-  const bool was_known = is_settled_ && status_ == Status::kTracking;
+  const bool was_known =
+      is_settled_ ? status_ == Status::kTracking : leader_ && areSamePlace(*leader_, T_map_base);
   if (!was_known || error <= usual_.limit()) return false;
   return error > kFarWorseThanLast * std::max(error_, usual_.value()) &&
          range_error_.at(T_map_base, scan).throughShare() > kThrough;

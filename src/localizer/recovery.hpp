@@ -205,7 +205,8 @@ class Recovery {
   Proof proof_;
   Novelty novelty_;
 
-  std::optional<Pose2> leader_;  // of the new places in a search the last that was likely
+  std::optional<Pose2> leader_;  // of the new places in a search the last that was likely;
+  bool has_left_leader_{false};  // the last scan is suddenly none of that place
   bool has_left_{false};         // the core's place was ruled out in this race,
   double left_way_{0.0};         // so long a way ago, m
   std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well

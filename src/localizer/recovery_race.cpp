@@ -97,7 +97,9 @@ void Recovery::settle() {
   modes_.clear();
 }
 
-/// Where memory runs out, a race that begins is off, and the place is as known as it was.
+/// If from one scan to the next none of the places that are compared fits any more, the robot was
+/// carried away. Where memory runs out, a race that begins is off, and the place is as known as it
+/// was.
 void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double error,
                        const Observations& observations) {
   const bool was_settled = is_settled_;
@@ -109,6 +111,7 @@ void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double er
     }
     if (is_settled_) return;
     race(T_map_base, error, observations);
+    if (has_left_leader_ && !explained_) return beCarried(T_map_base);
     if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   } catch (const std::exception&) {
     if (was_settled) settle();
