@@ -115,6 +115,8 @@ bool Hypotheses::keepsOne() const {
                      [](const Hypothesis& hypothesis) { return hypothesis.is_kept; });
 }
 
+/// What somebody moved came into view before, little by little: what came at once, and is where
+/// another place has it, speaks against a kept place as against any.
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
                           double usual, const News& news) const {
   double lost = loss(hypothesis.error, usual);
@@ -123,7 +125,7 @@ double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, b
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;
-  if (!hypothesis.is_kept) return news.share * lost;
+  if (!hypothesis.is_kept || (fits && news.is_sudden)) return news.share * lost;
   const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
   hypothesis.is_spared = lost > most;
   hypothesis.is_refuted = std::isinf(most) || is_outdone;
@@ -163,7 +165,8 @@ void Hypotheses::weigh(const Observations& observations, const News& news, doubl
     const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
     const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) {
-      const double lost = trust * lostBy(refiner, hypothesis, fits, usual, {worth, news.sight});
+      const double lost =
+          trust * lostBy(refiner, hypothesis, fits, usual, {worth, news.sight, news.is_sudden});
       hypothesis.log_odds -= lost;
       hypothesis.refuted += hypothesis.is_refuted ? lost : 0.0;
     }

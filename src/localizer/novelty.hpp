@@ -10,8 +10,9 @@ namespace adaptive_localization {
 
 /// How much of a scan is new since the last one that counted, from 0 to 1.
 struct News {
-  double share{1.0};  // errors of its ranges are others than they were, after a step or a turn
-  double sight{1.0};  // it shows other things: what a turn brings into view, or a metre does
+  double share{1.0};      // errors of its ranges are others than they were, after a step or a turn
+  double sight{1.0};      // it shows other things: what a turn brings into view, or a metre does
+  bool is_sudden{false};  // much of that came into view at once, from one scan to the next
 };
 
 /// Tells from the way since the last scan that counted how much of the next is new.

@@ -44,7 +44,7 @@ void Recovery::reset(const Prior& prior) {
   T_odom_base_.reset();
   is_at_rest_ = is_covered_ = false;
   way_on_ = 0.0;
-  is_carried_ = has_left_leader_ = was_refuted_ = were_many_ = false;
+  is_carried_ = came_near_ = has_left_leader_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
   doubted_.clear();
@@ -116,6 +116,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   has_left_leader_ = is_sudden && !is_settled_;
   error_ = error;
   scan_fits_ = error <= usual_.limit();
+  if (scan_fits_) came_near_ = false;
   if (scan_fits_) way_on_ += wayOf(motion);
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
   if (is_settled_) {
@@ -157,7 +158,10 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
                          const Observations& observations) {
   if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
-  if (!in_doubt_ && (isCheckDue(observations) || isDoubtful(error, is_seen))) doubt(expected);
+  const bool is_clearer = isAtALoss() && is_seen && pace_.tellsMore(error);
+  if (!in_doubt_ && (is_clearer || isCheckDue(observations) || isDoubtful(error, is_seen))) {
+    doubt(expected);
+  }
   if (in_doubt_ && is_seen && canSearch(observations) && isPatient(error)) {
     ground_.places->ask(observations);
     return false;
@@ -167,13 +171,14 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
 }
 
 /// One thing that was moved spoils a few scans: a place that was told, or tracked for long, is not
-/// compared with others by these alone, unless a scan fits far worse or the place may only look
-/// alike.
+/// compared with others by these alone, unless a scan fits far worse, much came into view at once,
+/// or the place may only look alike.
 bool Recovery::isPatient(double error) const {
   constexpr double kWay = 0.5;  // m and rad together
   constexpr int kScans = 10;
   const bool is_mild = misfits_ > 0 && error <= kFarWorse * usual_.limit();
-  if (isNew() || proof_.isSuspect() || left_ || !is_mild || status_ == Status::kLost) return false;
+  if (isNew() || proof_.isSuspect() || came_near_ || left_ || !is_mild || status_ == Status::kLost)
+    return false;
   return waited_ < kScans && doubted_way_ + doubted_turn_ < kWay;
 }
 

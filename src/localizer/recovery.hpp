@@ -228,6 +228,7 @@ class Recovery {
   double way_on_{0.0};      // m or rad, of fitting scans that each show what the one before did
   bool is_at_rest_{false};  // the robot did not move
   bool is_carried_{false};  // since the last update
+  bool came_near_{false};   // much at once, since scans fitted the core's place
 };
 
 }  // namespace adaptive_localization

@@ -41,6 +41,7 @@ void Recovery::followDoubted(const Pose2& T_map_core, const Scan& scan) {
 /// What was known of the place is void, and so is what was found of others.
 void Recovery::beCarried(const Pose2& T_map_base) {
   settle();
+  came_near_ = false;
   left_.reset();
   doubted_.clear();
   odds_.beCarried();
@@ -72,7 +73,7 @@ void Recovery::openDoubted(const Observations& observations) {
   open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
   const double share = std::max(1, misfits_) / (waited_ + 1.0);
-  hypotheses_.weigh(withoutCover(asked->observations), {share, share}, usual_.value());
+  hypotheses_.weigh(withoutCover(asked->observations), {share, share, came_near_}, usual_.value());
   hypotheses_.prune(against());
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
@@ -112,6 +113,7 @@ void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double er
     if (is_settled_) return;
     race(T_map_base, error, observations);
     if (has_left_leader_ && !explained_) return beCarried(T_map_base);
+    came_near_ = came_near_ && !is_settled_;
     if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   } catch (const std::exception&) {
     if (was_settled) settle();
@@ -128,7 +130,8 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   // while no place explains the scans each may be the one that tells, but searching is not free
   const bool has_places = searched_ && explained_;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
-  const News news = novelty_.news(observations.scan.view.width);
+  News news = novelty_.news(observations.scan.view.width);
+  news.is_sudden = came_near_;
   hypotheses_.weigh(observations, news, usual_.value());
   alike_ = std::max(alike_, hypotheses_.alike(T_map_base));
   hypotheses_.prune(against());

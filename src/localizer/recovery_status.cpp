@@ -27,9 +27,10 @@ bool Recovery::isDisputed() const {
 
 /// An initial pose is not "tracking" before a scan could contradict it, nor after some way on which
 /// no scan told it from all others; nor is a place that hardly explains the scans, however usual
-/// such scans are: so badly they fit many another; nor one of a lost robot while others are being
-/// searched for. A place that scans alone told is one of several until it is proven. What was one
-/// of several is not lost as the last of them, before it is decided, as long as the scans fit.
+/// such scans are: so badly they fit many another; nor that of a lost robot before it is known
+/// where else it can be. A place that scans alone told is one of several until it is proven. What
+/// was one of several is not lost as the last of them, before it is decided, as long as the scans
+/// fit.
 Status Recovery::judge() const {
   if (initial_pose_.isUnverified()) return Status::kGlobalizing;
   const Status nowhere = from_anywhere_ && !was_tracking_ ? Status::kGlobalizing : Status::kLost;
@@ -41,7 +42,7 @@ Status Recovery::judge() const {
     return is_found && modes_.size() > 1 ? Status::kAmbiguous : undecided;
   }
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
-  if (was_lost && in_doubt_) return undecided;
+  if (was_lost && (in_doubt_ || odds_.areLost())) return undecided;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;

@@ -99,6 +99,7 @@ struct Comparison {
   int compared{0}, shorter{0}, longer{0};
 
   double changedShare() const { return static_cast<double>(shorter + longer) / compared; }
+  double nearerShare() const { return static_cast<double>(shorter) / compared; }
   bool isOtherPlace() const {
     const int either_way = std::min(shorter, longer);
     return either_way > kEitherWay * compared &&
@@ -143,6 +144,7 @@ bool isOfSameLaser(const Scan& a, const Scan& b) {
 
 bool ScanChange::isElsewhere(const Pose2& T_odom_base, const Scan& scan) {
   changed_share_ = 1.0;
+  nearer_share_ = 0.0;
   if (isCovered(scan)) return false;
   const auto last = std::find_if(seen_.begin(), seen_.end(),
                                  [&](const Seen& seen) { return isOfSameLaser(seen.scan, scan); });
@@ -163,6 +165,7 @@ bool ScanChange::isOtherPlace(const Scan& before, const Pose2& motion, const Sca
   const auto compared = compare(panorama, now, 0);
   if (!compared) return false;
   changed_share_ = compared->changedShare();
+  nearer_share_ = compared->nearerShare();
   return compared->isOtherPlace() && isOtherByAnyTurn(panorama, now);
 }
 

@@ -31,6 +31,9 @@ class ScanChange {
   /// or longer; 1 where they cannot be.
   double changedShare() const { return changed_share_; }
 
+  /// The share that are shorter; 0 where they cannot be compared.
+  double nearerShare() const { return nearer_share_; }
+
   void forget() { seen_.clear(); }
 
  private:
@@ -43,7 +46,7 @@ class ScanChange {
   bool isOtherPlace(const Scan& before, const Pose2& motion, const Scan& now);
 
   std::vector<Seen> seen_;
-  double changed_share_{1.0};
+  double changed_share_{1.0}, nearer_share_{0.0};
 };
 
 }  // namespace adaptive_localization

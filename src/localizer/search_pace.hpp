@@ -34,6 +34,14 @@ class SearchPace {
     return scans_left_ <= 0 || error > kFarWorse * error_without_better_;
   }
 
+  /// Whether a scan that fits the core's place so well, m, can tell what the one for which nothing
+  /// better was found could not; then no later one can that fits as well.
+  bool tellsMore(double error) {
+    if (error >= kFarBetter * error_without_better_) return false;
+    error_without_better_ = error;
+    return true;
+  }
+
   /// The race is over: a scan fits the core's place as badly as this, m, and no other better.
   void findNothingBetter(double error) { error_without_better_ = error; }
 

@@ -42,6 +42,9 @@ class TrackingOdds {
   /// No more is known of the place than a search for it would tell.
   bool areSpent() const { return value_ <= kFound; }
 
+  /// Less is known of the place than a search for it would tell.
+  bool areLost() const { return value_ < kFound; }
+
   /// Whether they rule out that the robot was carried to one of so many places that look alike, by
   /// a scan that suddenly fitted far worse.
   bool ruleOut(int alike) const {

@@ -50,8 +50,13 @@ TEST(ScanChange, TellsHowMuchOfAScanChanged) {
   EXPECT_LT(change.changedShare(), 0.05);
   change.isElsewhere({0.1, 0.0, 0.0}, with(seenFrom(kHere * Pose2{0.1, 0.0, 0.0}), 0, 91, 0.4F));
   EXPECT_NEAR(change.changedShare(), 0.5, 0.05);
+  EXPECT_NEAR(change.nearerShare(), 0.5, 0.05);
+  change.isElsewhere({0.1, 0.0, 0.0}, seenFrom(kHere * Pose2{0.1, 0.0, 0.0}));
+  EXPECT_NEAR(change.changedShare(), 0.5, 0.05);
+  EXPECT_EQ(change.nearerShare(), 0.0) << "that is gone";
   change.isElsewhere({2.1, 0.0, 0.0}, seenFrom(kHere));
   EXPECT_EQ(change.changedShare(), 1.0) << "too far off";
+  EXPECT_EQ(change.nearerShare(), 0.0);
 }
 
 /// Even if most ranges change by it.

@@ -109,4 +109,16 @@ TEST(SearchPace, InsistsOnASearchUntilItIsDone) {
   EXPECT_FALSE(pace.wasBlind(0.3));
 }
 
+TEST(SearchPace, IsToldMoreByAScanThatFitsFarBetterAndOnceOnly) {
+  SearchPace pace;
+  pace.searched(false, 0.45);
+  pace.searched(false, 0.45);
+  pace.findNothingBetter(0.45);
+  EXPECT_FALSE(pace.isOver(0.2));
+  EXPECT_FALSE(pace.tellsMore(0.23));
+  EXPECT_TRUE(pace.tellsMore(0.2));
+  EXPECT_FALSE(pace.tellsMore(0.2)) << "that was searched for";
+  EXPECT_TRUE(pace.tellsMore(0.09));
+}
+
 }  // namespace adaptive_localization

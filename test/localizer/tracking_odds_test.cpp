@@ -111,4 +111,16 @@ TEST(TrackingOdds, RuleOutPlacesThatLookAlikeByWhatIsEarnedAndByTheirNumber) {
   EXPECT_FALSE(odds.ruleOut(21));
 }
 
+TEST(TrackingOdds, AreLostByScansThatSeeNothingUntilAPlaceIsFound) {
+  TrackingOdds odds(true);
+  for (int i = 0; i < 10; ++i) odds.seeNothing();  // a second
+  EXPECT_FALSE(odds.areLost());
+  for (int i = 0; i < 10; ++i) odds.loseWay({1.0, 0.0, 0.0});
+  EXPECT_FALSE(odds.areLost()) << "spent, as if a search had told the place";
+  odds.seeNothing();
+  EXPECT_TRUE(odds.areLost());
+  odds.find();
+  EXPECT_FALSE(odds.areLost());
+}
+
 }  // namespace adaptive_localization
