@@ -125,8 +125,10 @@ double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, b
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;
-  if (!hypothesis.is_kept || (fits && news.is_sudden)) return news.share * lost;
-  const double most = mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+  if (!hypothesis.is_kept) return news.share * lost;
+  const double most = fits && news.is_sudden ? std::numeric_limits<double>::infinity()
+                                             : mostAgainst(refiner, hypothesis.T_map_base,
+                                                           hypothesis.word > 0.0, usual);
   hypothesis.is_spared = lost > most;
   hypothesis.is_refuted = std::isinf(most) || is_outdone;
   if (std::isinf(most)) return news.share * lost;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUsual = 0.02;  // m
 
-Parameters sa_kld() {
+Parameters saKld() {
   Parameters parameters;
   parameters.set("filter", std::string("sa_kld"));
   return parameters;
@@ -60,7 +60,7 @@ TEST(LikeCorners, LoseACarriedRobotNoLongerWhileTheyAreCompared) {
       std::make_shared<const OccupancyGrid>(loadMap(SOURCE_DIR "/maps/maze/map.yaml"));
   const ToyLaser laser{181, -kPi / 2, kPi / 2, 8.0};
   const Pose2 start{0.8, 1.0, 1.57}, corner{5.5, 2.7, 0.0}, there{2.6, 0.5, 1.0};
-  Localizer localizer(sa_kld(), maze);
+  Localizer localizer(saKld(), maze);
   localizer.reset(Gaussian2{start, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
   Pose2 T_odom_base;
   const auto see = [&](const Pose2& T_map_base) {
@@ -109,7 +109,7 @@ TEST(LikePassages, AreNotTakenForEachOtherAfterAGarbledLaser) {
     return seen;
   };
   const auto isFound = [&](const Pose2& there) {
-    Localizer localizer(sa_kld(), map);
+    Localizer localizer(saKld(), map);
     localizer.reset(Gaussian2{start, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
     const auto see = [&](const Observations& seen) {
       localizer.requestUpdate();
@@ -142,7 +142,7 @@ TEST(LikeCorners, AreLeftForTheCornerWhereACarriedRobotIs) {
   const ToyLaser laser{181, -kPi / 2, kPi / 2, 8.0};
   const Pose2 corner{5.5, 2.7, 0.0};
   for (const double x : {3.2, 3.6, 4.0, 4.4}) {
-    Localizer localizer(sa_kld(), maze);
+    Localizer localizer(saKld(), maze);
     const Pose2 start{x, 2.7, 0.0};
     localizer.reset(Gaussian2{start, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
     const auto see = [&](const Pose2& T_map_base) {
@@ -158,14 +158,14 @@ TEST(LikeCorners, AreLeftForTheCornerWhereACarriedRobotIs) {
   }
 }
 
-/// A lorry that comes near at once, say: no other place has it.
+/// A cart that is pushed near at once, say: no other place has it.
 TEST(LikeCorners, AreNotLeftForWhatOnlyStandsInTheWay) {
   const auto maze =
       std::make_shared<const OccupancyGrid>(loadMap(SOURCE_DIR "/maps/maze/map.yaml"));
   const ToyLaser laser{181, -kPi / 2, kPi / 2, 8.0};
   for (const double x : {3.2, 3.6, 4.0, 4.4}) {
     for (const float far : {0.4F, 0.8F, 1.2F}) {
-      Localizer localizer(sa_kld(), maze);
+      Localizer localizer(saKld(), maze);
       const Pose2 start{x, 2.7, 0.0};
       localizer.reset(Gaussian2{start, Eigen::Vector3d(0.01, 0.01, 0.003).asDiagonal()});
       Observations seen = laser.observe(maze, start);
