@@ -24,11 +24,6 @@ OccupancyGrid fill(const Lattice& lattice, const ValueAt& valueAt) {
   return {lattice, std::move(cells)};
 }
 
-std::int8_t valueOf(const OccupancyGrid& map, const Cell& cell) {
-  return map.lattice().contains(cell) ? map.cells()[map.lattice().index(cell)]
-                                      : OccupancyGrid::kUnknown;
-}
-
 OccupancyGrid coarsen(const OccupancyGrid& map, double size, Rng&) {
   const Lattice& fine = map.lattice();
   const int step = inCells(size, map);
@@ -56,7 +51,7 @@ OccupancyGrid thicken(const OccupancyGrid& map, double depth, Rng&) {
   cv::distanceTransform(room, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   const float reach = static_cast<float>(inCells(depth, map)) + 1e-3F;
   return fill(lattice, [&](const Cell& cell) {
-    return distance(cell.y, cell.x) <= reach ? OccupancyGrid::kOccupied : valueOf(map, cell);
+    return distance(cell.y, cell.x) <= reach ? OccupancyGrid::kOccupied : map.at(cell);
   });
 }
 
@@ -69,7 +64,7 @@ OccupancyGrid stretch(const OccupancyGrid& map, double share, Rng&) {
                        lattice.origin() * Pose2{ahead, 0.0, 0.0});
   const double scale = static_cast<double>(lattice.width()) / longer.width();
   return fill(longer, [&](const Cell& cell) {
-    return valueOf(map, {static_cast<int>(std::floor((cell.x + 0.5) * scale)), cell.y});
+    return map.at({static_cast<int>(std::floor((cell.x + 0.5) * scale)), cell.y});
   });
 }
 
@@ -84,9 +79,7 @@ OccupancyGrid bend(const OccupancyGrid& map, double curvature, Rng&) {
   };
   const Lattice higher(lattice.width(), lattice.height() + rise(0), lattice.resolution(),
                        lattice.origin());
-  return fill(higher, [&](const Cell& cell) {
-    return valueOf(map, {cell.x, cell.y - rise(cell.x)});
-  });
+  return fill(higher, [&](const Cell& cell) { return map.at({cell.x, cell.y - rise(cell.x)}); });
 }
 
 /// A box of cells.
@@ -144,13 +137,13 @@ OccupancyGrid clutter(const OccupancyGrid& map, double share, Rng& rng) {
 OccupancyGrid dot(const OccupancyGrid& map, double share, Rng& rng) {
   return fill(map.lattice(), [&](const Cell& cell) {
     const bool is_gone = map.isOccupied(cell) && rng.uniform() < share;
-    return is_gone ? OccupancyGrid::kUnknown : valueOf(map, cell);
+    return is_gone ? OccupancyGrid::kUnknown : map.at(cell);
   });
 }
 
 OccupancyGrid speckle(const OccupancyGrid& map, double share, Rng& rng) {
   return fill(map.lattice(), [&](const Cell& cell) {
-    if (!map.isFree(cell) || rng.uniform() >= share) return valueOf(map, cell);
+    if (!map.isFree(cell) || rng.uniform() >= share) return map.at(cell);
     return rng.uniform() < 0.5 ? OccupancyGrid::kOccupied : OccupancyGrid::kUnknown;
   });
 }

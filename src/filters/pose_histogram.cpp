@@ -15,16 +15,11 @@ constexpr double kNarrowest = 0.1;  // cells: the least deviation of a Gaussian
 /// In lattice coordinates, m.
 Eigen::AlignedBox2d knownPart(const OccupancyGrid& map) {
   constexpr double kMargin = 0.5;  // m
-  const Lattice& lattice = map.lattice();
-  Eigen::AlignedBox2d known;
-  for (std::size_t i = 0; i < map.cells().size(); ++i) {
-    if (map.cells()[i] < 0) continue;
-    const Cell cell = lattice.cell(i);
-    known.extend(Eigen::Vector2d(cell.x, cell.y)).extend(Eigen::Vector2d(cell.x + 1, cell.y + 1));
-  }
-  if (known.isEmpty()) known.extend(Eigen::Vector2d(0, 0)).extend(Eigen::Vector2d(1, 1));
+  const double resolution = map.lattice().resolution();
+  const CellBox known = map.known().size() > 0 ? map.known() : CellBox{0, 0, 1, 1};
+  const Eigen::Vector2d first(known.x, known.y), size(known.width, known.height);
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin);
-  return {lattice.resolution() * known.min() - margin, lattice.resolution() * known.max() + margin};
+  return {resolution * first - margin, resolution * (first + size) + margin};
 }
 
 Eigen::Array2i cellsOf(const Eigen::AlignedBox2d& box, double cell) {

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QImageReader>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <numeric>
 #include <sstream>
@@ -153,23 +154,31 @@ std::int8_t toCell(const unsigned char* pixel, int channels, const MapFile& map)
 }
 
 /// The image's top row is the map's last.
-std::vector<std::int8_t> toCells(const QImage& image, const MapFile& map) {
-  const int channels = image.depth() / 8;
-  std::array<std::int8_t, 256> of_grey;
-  for (int grey = 0; grey < 256; ++grey) {
-    of_grey[static_cast<std::size_t>(grey)] = toCell(grey, 255, map);
-  }
-  std::vector<std::int8_t> cells;
-  cells.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
-  for (int row = image.height() - 1; row >= 0; --row) {
-    const unsigned char* pixel = image.constScanLine(row);
-    const unsigned char* end = pixel + image.width() * channels;
-    for (; pixel != end; pixel += channels) {
-      cells.push_back(channels == 1 ? of_grey[*pixel] : toCell(pixel, channels, map));
+class ImageRows {
+ public:
+  ImageRows(const QImage& image, const MapFile& map)
+      : image_(image), map_(map), cells_(static_cast<std::size_t>(image.width())) {
+    for (int grey = 0; grey < 256; ++grey) {
+      of_grey_[static_cast<std::size_t>(grey)] = toCell(grey, 255, map);
     }
   }
-  return cells;
-}
+
+  const std::int8_t* operator()(int row) {
+    const int channels = image_.depth() / 8;
+    const unsigned char* pixel = image_.constScanLine(image_.height() - 1 - row);
+    for (std::int8_t& cell : cells_) {
+      cell = channels == 1 ? of_grey_[*pixel] : toCell(pixel, channels, map_);
+      pixel += channels;
+    }
+    return cells_.data();
+  }
+
+ private:
+  const QImage& image_;
+  const MapFile& map_;
+  std::array<std::int8_t, 256> of_grey_;
+  std::vector<std::int8_t> cells_;  // of one row
+};
 
 std::string besides(const std::string& yaml_file, const std::string& name) {
   if (name.front() == '/') return name;
@@ -184,8 +193,8 @@ OccupancyGrid loadMap(const std::string& yaml_file) {
   try {
     const MapFile map = readMapFile(yaml_file);
     const QImage image = readImage(besides(yaml_file, map.image));
-    return OccupancyGrid(Lattice(image.width(), image.height(), map.resolution, map.origin),
-                         toCells(image, map));
+    const Lattice lattice(image.width(), image.height(), map.resolution, map.origin);
+    return OccupancyGrid::fromRows(lattice, ImageRows(image, map));
   } catch (const YAML::BadFile&) {
     throw MapFileError(MapFileError::Reason::kMissing, about + " cannot be opened");
   } catch (const MapFileError& error) {
@@ -201,7 +210,7 @@ void saveMap(const OccupancyGrid& grid, const std::string& base) {
   image << "P5\n" << lattice.width() << ' ' << lattice.height() << "\n255\n";
   for (int row = lattice.height() - 1; row >= 0; --row) {
     for (int column = 0; column < lattice.width(); ++column) {
-      const int value = grid.cells()[lattice.index({column, row})];
+      const int value = grid.at({column, row});
       const int grey = value < 0                                ? 205
                        : value <= 25                            ? 254
                        : value >= OccupancyGrid::kLeastOccupied ? 0

@@ -19,11 +19,12 @@ constexpr double kGoodHits = 0.04, kPoorHits = 0.2;  // m, deviations on good an
 /// ones on its four sides. Counted in strips of rows, so that a large map is not copied.
 double cellsDeep(const OccupancyGrid& map) {
   constexpr int kStrip = 256;  // rows
-  const cv::Rect all(0, 0, map.lattice().width(), map.lattice().height());
+  const CellBox& known = map.known();
+  const cv::Rect all(known.x, known.y, known.width, known.height);
   double count = 0.0, shut_in = 0.0;
-  for (int row = 0; row < all.height; row += kStrip) {
-    const cv::Rect strip = cv::Rect(0, row, all.width, kStrip) & all;
-    const cv::Rect with_neighbours = cv::Rect(0, row - 1, all.width, kStrip + 2) & all;
+  for (int row = all.y; row < all.br().y; row += kStrip) {
+    const cv::Rect strip = cv::Rect(all.x, row, all.width, kStrip) & all;
+    const cv::Rect with_neighbours = cv::Rect(all.x, row - 1, all.width, kStrip + 2) & all;
     const cv::Mat occupied = occupiedCells(map, with_neighbours);
     const cv::Rect here = strip - with_neighbours.tl();
     const int occupied_here = cv::countNonZero(occupied(here));
@@ -36,10 +37,11 @@ double cellsDeep(const OccupancyGrid& map) {
 
 /// By how much the depth, in cells, varies where it is greatest of all around: the standard
 /// deviation from the mean of a square of so many cells, as one building has walls of many kinds.
-double deviationAlongMiddles(const cv::Mat& occupied, double side) {
+double deviationAlongMiddles(const OccupancyGrid& map, double side) {
   struct Square {
     double count{0.0}, sum{0.0}, squares{0.0};
   };
+  const cv::Mat occupied = occupiedCells(map);
   const cv::Mat depth = depthOf(occupied);
   cv::Mat greatest;
   cv::dilate(depth, greatest, cv::Mat());
@@ -48,7 +50,8 @@ double deviationAlongMiddles(const cv::Mat& occupied, double side) {
   std::map<std::pair<int, int>, Square> squares;
   for (const cv::Point& cell : middles) {
     const double d = static_cast<double>(depth.at<float>(cell));
-    Square& square = squares[{static_cast<int>(cell.x / side), static_cast<int>(cell.y / side)}];
+    Square& square = squares[{static_cast<int>((map.known().x + cell.x) / side),
+                              static_cast<int>((map.known().y + cell.y) / side)}];
     square.count += 1.0;
     square.sum += d;
     square.squares += d * d;
@@ -68,9 +71,8 @@ MapQuality::MapQuality(const OccupancyGrid& map) : resolution_(map.lattice().res
   const double cells = cellsDeep(map);
   wall_depth_ = cells * resolution_;
   has_thick_walls_ = cells > kThick;
-  roughness_ = has_thick_walls_
-                   ? deviationAlongMiddles(occupiedCells(map), kPiece / resolution_) * resolution_
-                   : 0.0;
+  roughness_ =
+      has_thick_walls_ ? deviationAlongMiddles(map, kPiece / resolution_) * resolution_ : 0.0;
 }
 
 double MapQuality::hitDeviation() const {

@@ -6,14 +6,22 @@
 namespace adaptive_localization {
 
 cv::Mat occupiedCells(const OccupancyGrid& map) {
-  return occupiedCells(map, {0, 0, map.lattice().width(), map.lattice().height()});
+  const CellBox& known = map.known();
+  return occupiedCells(map, {known.x, known.y, known.width, known.height});
 }
 
 cv::Mat occupiedCells(const OccupancyGrid& map, const cv::Rect& box) {
-  const Lattice& lattice = map.lattice();
-  auto* cells = const_cast<std::int8_t*>(map.cells().data());  // OpenCV has no Mat of const
-  const cv::Mat all(lattice.height(), lattice.width(), CV_8S, cells);
-  return all(box) >= OccupancyGrid::kLeastOccupied;
+  const CellBox& known = map.known();
+  const cv::Rect stored(known.x, known.y, known.width, known.height);
+  auto* cells = const_cast<std::int8_t*>(map.knownCells().data());  // OpenCV has no Mat of const
+  const cv::Mat all(known.height, known.width, CV_8S, cells);
+  cv::Mat occupied(box.size(), CV_8U, cv::Scalar(0));
+  const cv::Rect both = box & stored;
+  if (!both.empty()) {
+    const cv::Mat is_occupied = all(both - stored.tl()) >= OccupancyGrid::kLeastOccupied;
+    is_occupied.copyTo(occupied(both - box.tl()));
+  }
+  return occupied;
 }
 
 cv::Mat shrunk(const cv::Mat& occupied, int shape, int reach) {

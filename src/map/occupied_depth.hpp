@@ -7,7 +7,7 @@
 
 namespace adaptive_localization {
 
-/// 255 in occupied cells, 0 elsewhere; a row per row of the map.
+/// 255 in occupied cells, 0 elsewhere; a row per row of the box around the map's known cells.
 cv::Mat occupiedCells(const OccupancyGrid& map);
 
 /// The same of a box of the map.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <utility>
-#include <vector>
 
 #include "occupied_depth.hpp"
 
@@ -30,31 +29,35 @@ bool isRidge(const cv::Mat& depth, int x, int y) {
   return false;
 }
 
+/// The map with those cells free of which `isFreed(x, y)` says so, columns and rows of the box
+/// around its known cells.
+template <class IsFreed>
+OccupancyGrid withFree(const OccupancyGrid& map, const IsFreed& isFreed) {
+  const CellBox& known = map.known();
+  MapPatch patch{{known.x, known.y}, known.width, known.height, map.knownCells()};
+  for (int y = 0; y < known.height; ++y) {
+    for (int x = 0; x < known.width; ++x) {
+      if (!isFreed(x, y)) continue;
+      patch.cells[known.index({known.x + x, known.y + y})] = OccupancyGrid::kFree;
+    }
+  }
+  return map.with({patch});
+}
+
 }  // namespace
 
 OccupancyGrid withThinWalls(const OccupancyGrid& map, double wall_depth) {
-  const Lattice& lattice = map.lattice();
-  std::vector<std::int8_t> cells = map.cells();
   const cv::Mat depth = depthOf(occupiedCells(map));
-  const double usual = 0.5 * wall_depth / lattice.resolution();  // cells
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Cell cell = lattice.cell(i);
-    if (!map.isOccupied(cell)) continue;
-    const bool is_deep = static_cast<double>(depth.at<float>(cell.y, cell.x)) >= usual;
-    if (!is_deep && !isRidge(depth, cell.x, cell.y)) cells[i] = OccupancyGrid::kFree;
-  }
-  return {lattice, std::move(cells)};
+  const double usual = 0.5 * wall_depth / map.lattice().resolution();  // cells
+  return withFree(map, [&](int x, int y) {
+    if (depth.at<float>(y, x) == 0.0F) return false;
+    return static_cast<double>(depth.at<float>(y, x)) < usual && !isRidge(depth, x, y);
+  });
 }
 
 OccupancyGrid withHollowWalls(const OccupancyGrid& map) {
-  const Lattice& lattice = map.lattice();
-  std::vector<std::int8_t> cells = map.cells();
   const cv::Mat shut_in = shrunk(occupiedCells(map), cv::MORPH_CROSS, 1);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Cell cell = lattice.cell(i);
-    if (shut_in.at<std::uint8_t>(cell.y, cell.x) != 0) cells[i] = OccupancyGrid::kFree;
-  }
-  return {lattice, std::move(cells)};
+  return withFree(map, [&](int x, int y) { return shut_in.at<std::uint8_t>(y, x) != 0; });
 }
 
 }  // namespace adaptive_localization

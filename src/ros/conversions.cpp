@@ -96,13 +96,13 @@ sensor_msgs::LaserScan toMessage(const LaserScan& scan) {
   return message;
 }
 
-OccupancyGrid toGrid(nav_msgs::OccupancyGrid message, bool origin_is_cell_center) {
+OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message, bool origin_is_cell_center) {
   checkLevel(message.info.origin.orientation);
   const auto resolution = static_cast<double>(message.info.resolution);
   const double shift = origin_is_cell_center ? -resolution / 2.0 : 0.0;
   const Lattice lattice(toSize(message.info.width, "width"), toSize(message.info.height, "height"),
                         resolution, toPose2(message.info.origin) * Pose2{shift, shift, 0.0});
-  return OccupancyGrid(lattice, std::move(message.data));
+  return OccupancyGrid(lattice, message.data);
 }
 
 nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid) {

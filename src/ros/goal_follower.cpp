@@ -34,8 +34,8 @@ GoalFollower::GoalFollower(ros::NodeHandle node, const Parameters& parameters)
       command_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       plan_(node.advertise<nav_msgs::Path>("plan", 1, true)) {
   reportUnknown(parameters.unknownKeys(), keysOf(describe(options_)));
-  maps_ = subscribe<nav_msgs::OccupancyGrid, nav_msgs::OccupancyGrid::Ptr>(
-      node, "map", 1, [this](const auto& message) { onMap(std::move(*message)); });
+  maps_ = subscribe<nav_msgs::OccupancyGrid>(node, "map", 1,
+                                             [this](const auto& message) { onMap(*message); });
   goals_ = subscribe<geometry_msgs::PoseStamped>(node, "move_base_simple/goal", 1,
                                                  [this](const auto& message) { onGoal(*message); });
   timer_ = every(node, ros::Duration(kPeriod), "Following", [this] { advance(); });
@@ -43,11 +43,11 @@ GoalFollower::GoalFollower(ros::NodeHandle node, const Parameters& parameters)
            goals_.getTopic().c_str());
 }
 
-void GoalFollower::onMap(nav_msgs::OccupancyGrid&& map) {
+void GoalFollower::onMap(const nav_msgs::OccupancyGrid& map) {
   goal_.reset();  // whatever becomes of the new map, the old one holds no more
   free_space_.reset();
   command({});
-  const auto grid = std::make_shared<const OccupancyGrid>(toGrid(std::move(map)));
+  const auto grid = std::make_shared<const OccupancyGrid>(toGrid(map));
   free_space_ = std::make_shared<const FreeSpace>(makeWorld(grid), options_.robot_radius + kMargin);
 }
 

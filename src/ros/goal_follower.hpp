@@ -41,7 +41,7 @@ class GoalFollower {
 
  private:
   GoalFollower(ros::NodeHandle node, const Parameters& parameters);
-  void onMap(nav_msgs::OccupancyGrid&& map);
+  void onMap(const nav_msgs::OccupancyGrid& map);
   void onGoal(const geometry_msgs::PoseStamped& goal);
   void advance();
   void command(const Velocity& velocity);

@@ -16,17 +16,16 @@ namespace {
 const ros::WallDuration kPollPeriod(0.02);
 const ros::WallDuration kSayAgain(10.0);
 
-// What is made of a map takes so much, measured; what is unknown lies mostly outside of all walls.
+// What is made of a map takes so much, measured. What is unknown around all known cells takes next
+// to nothing: 0.05 bytes.
 constexpr double kBytesPerCell = 8.0;
 constexpr double kBytesPerKnownCell = 28.0;  // more
 
 /// Linux gives memory that it does not have, and kills who uses it: better to ask before.
 void checkMemory(const OccupancyGrid& grid) {
   const Lattice& lattice = grid.lattice();
-  const auto known = std::count_if(grid.cells().begin(), grid.cells().end(),
-                                   [](std::int8_t value) { return value >= 0; });
-  const double needed = kBytesPerCell * static_cast<double>(lattice.size()) +
-                        kBytesPerKnownCell * static_cast<double>(known);
+  const double needed = kBytesPerCell * static_cast<double>(grid.known().size()) +
+                        kBytesPerKnownCell * static_cast<double>(grid.countKnown());
   const double free = freeMemory();
   if (needed <= free) return;
   std::ostringstream text;
@@ -43,10 +42,11 @@ void checkUse(const OccupancyGrid& grid) {
   checkMemory(grid);
 }
 
+/// The message is not kept: it may be far larger than what is known of the map.
 std::shared_ptr<const OccupancyGrid> usableGrid(nav_msgs::OccupancyGrid&& message,
                                                 bool origin_is_cell_center) {
-  auto grid =
-      std::make_shared<const OccupancyGrid>(toGrid(std::move(message), origin_is_cell_center));
+  const nav_msgs::OccupancyGrid taken = std::move(message);
+  auto grid = std::make_shared<const OccupancyGrid>(toGrid(taken, origin_is_cell_center));
   checkUse(*grid);
   return grid;
 }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".ser_grid";
 constexpr std::size_t kFilesKept = 8;
-constexpr double kEdition = 4.0;  // of what is in the files: to be raised when ranges change
+constexpr double kEdition = 5.0;  // of what is in the files: to be raised when ranges change
 
 std::uint64_t hashOf(const std::vector<double>& values, std::uint64_t seed) {
   return XXH64(values.data(), values.size() * sizeof(double), seed);
@@ -64,9 +64,11 @@ GridCache::GridCache(std::string folder, const OccupancyGrid& map)
 
 std::uint64_t GridCache::keyOf(double max_range, int spacing) const {
   const Lattice& lattice = map_.lattice();
-  const std::uint64_t cells = XXH64(map_.cells().data(), map_.cells().size(), 0);
+  const CellBox& known = map_.known();
+  const std::uint64_t cells = XXH64(map_.knownCells().data(), map_.knownCells().size(), 0);
   return hashOf(
-      {kEdition, double(lattice.width()), double(lattice.height()), lattice.resolution(),
+      {kEdition, double(lattice.width()), double(lattice.height()), double(known.x),
+       double(known.y), double(known.width), double(known.height), lattice.resolution(),
        lattice.origin().x, lattice.origin().y, lattice.origin().theta, max_range, double(spacing)},
       cells);
 }

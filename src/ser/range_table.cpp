@@ -49,7 +49,7 @@ class RangeTableBuilder {
  public:
   RangeTableBuilder(const OccupancyGrid& map, double max_range, int spacing)
       : map_(map),
-        box_(knownCells(map)),
+        box_(map.known()),
         spaced_(box_, spacing),
         spacing_(spacing),
         free_(at(0, spaced_.height(), spaced_.width())) {

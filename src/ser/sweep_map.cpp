@@ -1,24 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep_map.hpp"
 
-#include <algorithm>
-
 namespace adaptive_localization {
-
-CellBox knownCells(const OccupancyGrid& map) {
-  const Lattice& lattice = map.lattice();
-  int low_x = lattice.width(), low_y = lattice.height(), high_x = -1, high_y = -1;
-  for (std::size_t i = 0; i < map.cells().size(); ++i) {
-    if (map.cells()[i] < 0) continue;
-    const Cell cell = lattice.cell(i);
-    low_x = std::min(low_x, cell.x);
-    low_y = std::min(low_y, cell.y);
-    high_x = std::max(high_x, cell.x);
-    high_y = std::max(high_y, cell.y);
-  }
-  if (high_x < 0) return {0, 0, 0, 0};
-  return {low_x, low_y, high_x - low_x + 1, high_y - low_y + 1};
-}
 
 SweepMap::SweepMap(const OccupancyGrid& map, const CellBox& box, bool lines_are_columns,
                    int spacing)

@@ -9,15 +9,6 @@
 
 namespace adaptive_localization {
 
-/// A rectangle of a map's cells.
-struct CellBox {
-  int x, y;  // of its first cell
-  int width, height;
-};
-
-/// The smallest box around all known cells; empty if there is none.
-CellBox knownCells(const OccupancyGrid& map);
-
 /// A box of the map as sweeps read it: lines of cells, u the number of a line and v the place on
 /// it. Ranges are asked for from its free cells in every `spacing`-th row and column of the map.
 class SweepMap {

@@ -27,7 +27,7 @@ std::vector<float> plainEnergies(const OccupancyGrid& map, int headings, int bea
   constexpr double kBeamStep = kPi / 30.0;
   const int steps = static_cast<int>(max_range / map.lattice().resolution());
   std::vector<float> energies;
-  for (std::size_t i = 0; i < map.cells().size(); ++i) {
+  for (std::size_t i = 0; i < map.lattice().size(); ++i) {
     const Cell cell = map.lattice().cell(i);
     if (!map.isFree(cell)) continue;
     for (int heading = 0; heading < headings; ++heading) {

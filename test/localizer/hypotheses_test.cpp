@@ -144,7 +144,7 @@ std::shared_ptr<const DistanceField> fieldWithRoughWalls(const OccupancyGrid& wo
     const Cell cell = lattice.cell(i);
     const int depth = cell.x / 30 % 2 == 0 ? 6 : 28;
     const bool is_wall = cell.x > inner.width() + 40 && cell.y % 40 < depth;
-    cells[i] = inner.contains(cell) ? world.cells()[inner.index(cell)]
+    cells[i] = inner.contains(cell) ? world.at(cell)
                : is_wall            ? OccupancyGrid::kOccupied
                                     : OccupancyGrid::kFree;
   }

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -31,6 +32,89 @@ TEST(OccupancyGrid, IsUnknownOutside) {
   for (const Cell cell : {Cell{-1, 0}, Cell{1, 0}, Cell{0, -1}, Cell{0, 1}}) {
     EXPECT_FALSE(grid.isOccupied(cell));
     EXPECT_FALSE(grid.isFree(cell));
+  }
+}
+
+/// Cells by chance, most of them unknown.
+std::vector<std::int8_t> mostlyUnknown(const Lattice& lattice, int known, Rng& rng) {
+  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kUnknown);
+  for (int i = 0; i < known; ++i) {
+    cells[rng.below(cells.size())] = static_cast<std::int8_t>(rng.below(101));
+  }
+  return cells;
+}
+
+void expectCells(const OccupancyGrid& grid, const std::vector<std::int8_t>& cells) {
+  EXPECT_EQ(grid.cells(), cells);
+  const Lattice& lattice = grid.lattice();
+  const auto isKnown = [](std::int8_t value) { return value >= 0; };
+  const auto known = std::count_if(cells.begin(), cells.end(), isKnown);
+  EXPECT_EQ(grid.countKnown(), static_cast<std::size_t>(known));
+  EXPECT_EQ(grid.knownCells().size(), grid.known().size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    ASSERT_EQ(grid.at(lattice.cell(i)), cells[i]) << i;
+    if (cells[i] >= 0) {
+      ASSERT_TRUE(grid.known().contains(lattice.cell(i))) << i;
+    }
+  }
+}
+
+bool isSmallest(const OccupancyGrid& grid) {
+  const CellBox& box = grid.known();
+  bool left = false, right = false, bottom = false, top = false;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (grid.knownCells()[i] < 0) continue;
+    const Cell cell = box.cell(i);
+    left = left || cell.x == box.x;
+    right = right || cell.x == box.x + box.width - 1;
+    bottom = bottom || cell.y == box.y;
+    top = top || cell.y == box.y + box.height - 1;
+  }
+  return box.size() == 0 || (left && right && bottom && top);
+}
+
+TEST(OccupancyGrid, StoresTheSmallestBoxAroundWhatIsKnown) {
+  Rng rng(5);
+  for (const int known : {0, 1, 2, 3, 8, 200}) {
+    for (int run = 0; run < 20; ++run) {
+      const Lattice lattice(1 + static_cast<int>(rng.below(12)), 1 + static_cast<int>(rng.below(9)),
+                            0.05, {});
+      const std::vector<std::int8_t> cells = mostlyUnknown(lattice, known, rng);
+      const OccupancyGrid grid(lattice, cells);
+      expectCells(grid, cells);
+      EXPECT_TRUE(isSmallest(grid));
+      expectCells(OccupancyGrid::fromRows(lattice,
+                                          [&](int row) {
+                                            return cells.data() + lattice.index({0, row});
+                                          }),
+                  cells);
+    }
+  }
+}
+
+TEST(OccupancyGrid, PatchesMayMakeMoreKnownOrLess) {
+  Rng rng(6);
+  const Lattice lattice(12, 9, 0.05, {});
+  for (int run = 0; run < 100; ++run) {
+    std::vector<std::int8_t> cells = mostlyUnknown(lattice, static_cast<int>(rng.below(4)), rng);
+    const OccupancyGrid grid(lattice, cells);
+    std::vector<MapPatch> patches;
+    for (int n = 0; n < 3; ++n) {
+      MapPatch patch{{static_cast<int>(rng.below(12)), static_cast<int>(rng.below(9))}, 0, 0, {}};
+      patch.width = 1 + static_cast<int>(rng.below(static_cast<std::size_t>(12 - patch.corner.x)));
+      patch.height = 1 + static_cast<int>(rng.below(static_cast<std::size_t>(9 - patch.corner.y)));
+      for (int i = 0; i < patch.width * patch.height; ++i) {
+        const bool is_known = rng.uniform() < 0.2;
+        patch.cells.push_back(is_known ? static_cast<std::int8_t>(rng.below(101))
+                                       : std::int8_t{-1});
+        cells[lattice.index({patch.corner.x + i % patch.width, patch.corner.y + i / patch.width})] =
+            patch.cells.back();
+      }
+      patches.push_back(patch);
+    }
+    const OccupancyGrid other = grid.with(patches);
+    expectCells(other, cells);
+    EXPECT_TRUE(isSmallest(other));
   }
 }
 

@@ -94,7 +94,7 @@ TEST(Sweep, TellsOfEachCellWhatItsOwnLineMeets) {
       const MapPtr map = rooms(rng, is_wide ? side : other, is_wide ? other : side);
       const bool lines_are_columns = rng.below(2) == 0;
       const int spacing = 1 + static_cast<int>(rng.below(3));
-      const SweepMap lines(*map, knownCells(*map), lines_are_columns, spacing);
+      const SweepMap lines(*map, map->known(), lines_are_columns, spacing);
       const double slopes[] = {0.0, 1.0, -1.0, rng.uniform(-1.0, 1.0)};
       const SweepDirection direction{rng.below(2) == 0 ? 1 : -1, slopes[rng.below(4)]};
       compared += compare(lines, direction, 1 + static_cast<int>(rng.below(50)));
@@ -118,7 +118,7 @@ TEST(Sweep, LooksAtLittleOfAMapOfWhichLittleIsKnown) {
     }
   }
   const OccupancyGrid map(Lattice(kSide, kSide, 0.1, {}), cells);
-  const SweepMap lines(map, knownCells(map), true, 1);
+  const SweepMap lines(map, map.known(), true, 1);
   for (int bundle = 0; bundle < kBundles; ++bundle) {
     const BeamPaths paths(lines, {1, 0.3}, bundle, DigitalLine(0.3, bundle, kSide));
     int looked_at = 0, on_lines = 0;
