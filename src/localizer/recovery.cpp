@@ -25,7 +25,7 @@ Recovery::Recovery(const ConfidenceOptions& options, Ground ground, Senses sense
       confidence_(options, ground.field, senses),
       usual_(ground.field->quality().rangeError()),
       hypotheses_(ground, senses),
-      doubted_(ground, senses),
+      doubt_(ground, senses),
       proof_(ground.field->quality().roughness()) {}
 
 void Recovery::reset(const Prior& prior) {
@@ -40,14 +40,11 @@ void Recovery::reset(const Prior& prior) {
   unexplained_ = unfit_ = blind_ = 0;
   error_ = RangeError::kTruncation;  // the first scan is no worse
   pace_.restart();
-  scan_change_.forget();
-  T_odom_base_.reset();
-  is_at_rest_ = is_covered_ = false;
-  way_on_ = 0.0;
-  is_carried_ = came_near_ = has_left_leader_ = was_refuted_ = were_many_ = false;
+  watch_ = {};
+  has_left_leader_ = was_refuted_ = were_many_ = false;
   confidence_.reset();
   settle();
-  doubted_.clear();
+  doubt_.forget();
   is_settled_ = !from_anywhere_;
   status_ = Status::kGlobalizing;
 }
@@ -61,13 +58,13 @@ void Recovery::copyStateOf(const Recovery& other) {
   next.confidence_.copyStateOf(other.confidence_);
   if (ground_.map != other.ground_.map) {
     next.usual_ = usual_;
-    next.searched_ = false;  // places that only this map has are as good as those known so far
+    next.race_.searched = false;  // places that only this map has are as good as those known so far
     if (!next.odds_.isKept()) next.initial_pose_.checkNow();
   }
   next.proof_ = proof_;
   next.proof_.copyStateOf(other.proof_);
   next.hypotheses_.standOn(ground_, senses_);
-  next.doubted_.standOn(ground_, senses_);
+  next.doubt_.standOn(ground_, senses_);
   *this = std::move(next);
 }
 
@@ -81,14 +78,11 @@ Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
 
 void Recovery::ride(const Pose2& motion) {
   hypotheses_.ride(motion);
-  doubted_.ride(motion);
+  doubt_.ride(motion);
   novelty_.ride(motion);
-  if (has_left_) left_way_ += std::hypot(motion.x, motion.y);
+  if (race_.has_left) race_.left_way += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
-  if (leader_) leader_ = *leader_ * motion;
-  if (in_doubt_) in_doubt_ = *in_doubt_ * motion;
-  doubted_way_ += std::hypot(motion.x, motion.y);
-  doubted_turn_ += std::abs(motion.theta);
+  if (race_.leader) race_.leader = *race_.leader * motion;
   if (is_settled_ && odds_.isKept()) {
     left_.reset();
     proof_.forgetRefuted();
@@ -110,32 +104,30 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const double error = errorAt(T_map_base, observations);
   const bool is_nowhere = !is_settled_ && odds_.areSpent();  // what the race is between is void
   const bool fits_on = !is_nowhere && error <= kWorse * std::max(error_, usual_.value());
-  if (std::exchange(is_carried_, false) && !fits_on) beCarried(T_map_base_expected);
+  if (watch_.tellCarrying() && !fits_on) beCarried(T_map_base_expected);
   const bool is_sudden = isSudden(T_map_base, observations.scan, error);
   if (is_sudden && is_settled_) proof_.suspect();
   has_left_leader_ = is_sudden && !is_settled_;
   error_ = error;
   scan_fits_ = error <= usual_.limit();
-  if (scan_fits_) came_near_ = false;
-  if (scan_fits_) way_on_ += wayOf(motion);
+  if (scan_fits_) watch_.forgetNear();
+  if (scan_fits_) watch_.fit(motion);
   unexplained_ = scan_fits_ ? 0 : unexplained_ + 1;
-  if (is_settled_) {
-    waited_ = in_doubt_ ? waited_ + 1 : 0;
-    misfits_ = (in_doubt_ ? misfits_ : 0) + (scan_fits_ ? 0 : 1);
-  }
-  if (hasSlid(T_map_base)) proof_.suspect();
+  if (is_settled_) doubt_.count(scan_fits_);
+  if (is_settled_ && was_tracking_ && doubt_.hasSlid(T_map_base)) proof_.suspect();
   if (unexplained_ == 1) ground_.places->askAnew();
   unfit_ = error > kUnfit ? unfit_ + 1 : 0;
   if (unexplained_ == 0) {
     was_refuted_ = false;
     learn(error);
-    if (is_settled_ && !in_doubt_) proof_.drive(motion, usual_.value() <= kExplained);
+    if (is_settled_ && !doubt_.isRaised()) proof_.drive(motion, usual_.value() <= kExplained);
     if (!isAtALoss() && !confidence_.isContradicted()) pace_.restart();
     if (isEarned(error)) odds_.earn(motion);
-    const bool only_waits = in_doubt_ && error < kExplained;  // until others are found
+    const bool only_waits = doubt_.isRaised() && error < kExplained;  // until others are found
     if (status_ == Status::kLost && !only_waits) odds_.loseWay(motion, error > kUnfit);
   }
-  followDoubted(T_map_base, observations.scan);
+  if (!doubt_.isRaised() && unexplained_ == 0) doubt_.forget();
+  doubt_.follow(T_map_base, observations.scan, usual_.value());
   compare(T_map_base_expected, T_map_base, error, observations);
   updateStatus();
 }
@@ -159,14 +151,15 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
   if (initial_pose_.isUnverified() || hasJumped(expected, T_map_base)) return true;
   const bool is_seen = observations.scan.hits() > 0;
   const bool is_clearer = isAtALoss() && is_seen && pace_.tellsMore(error);
-  if (!in_doubt_ && (is_clearer || isCheckDue(observations) || isDoubtful(error, is_seen))) {
-    doubt(expected);
+  if (!doubt_.isRaised() &&
+      (is_clearer || isCheckDue(observations) || isDoubtful(error, is_seen))) {
+    doubt_.raise(expected, odds_);
   }
-  if (in_doubt_ && is_seen && canSearch(observations) && isPatient(error)) {
+  if (doubt_.isRaised() && is_seen && canSearch(observations) && isPatient(error)) {
     ground_.places->ask(observations);
     return false;
   }
-  if (in_doubt_) return isAnswered(observations);
+  if (doubt_.isRaised()) return isAnswered(observations);
   return isOutvoted(T_map_base, error, observations);
 }
 
@@ -174,12 +167,9 @@ bool Recovery::isRaceDue(const Pose2& expected, const Pose2& T_map_base, double 
 /// compared with others by these alone, unless a scan fits far worse, much came into view at once,
 /// or the place may only look alike.
 bool Recovery::isPatient(double error) const {
-  constexpr double kWay = 0.5;  // m and rad together
-  constexpr int kScans = 10;
-  const bool is_mild = misfits_ > 0 && error <= kFarWorse * usual_.limit();
+  const bool is_mild = doubt_.misfits() > 0 && error <= kFarWorse * usual_.limit();
   const bool is_sure = !isNew() && !proof_.isSuspect() && !left_ && status_ != Status::kLost;
-  if (!is_sure || !is_mild || came_near_) return false;
-  return waited_ < kScans && doubted_way_ + doubted_turn_ < kWay;
+  return is_sure && is_mild && !watch_.hasComeNear() && doubt_.isBrief();
 }
 
 /// Nobody doubts the pose: until there is a grid for a laser that came later, that can wait.
@@ -200,24 +190,11 @@ bool Recovery::hasJumped(const Pose2& expected, const Pose2& T_map_base) const {
 /// otherwise, 54 saw that; of 6500 scans of robots that were not carried, 5.
 bool Recovery::isSudden(const Pose2& T_map_base, const Scan& scan, double error) const {
   constexpr double kFarWorseThanLast = 2.0, kThrough = 0.05;  // of the beams
-  const bool was_known =
-      is_settled_ ? status_ == Status::kTracking : leader_ && areSamePlace(*leader_, T_map_base);
+  const bool was_known = is_settled_ ? status_ == Status::kTracking
+                                     : race_.leader && areSamePlace(*race_.leader, T_map_base);
   if (!was_known || error <= usual_.limit()) return false;
   return error > kFarWorseThanLast * std::max(error_, usual_.value()) &&
          range_error_.at(T_map_base, scan).throughShare() > kThrough;
-}
-
-/// After scans that did not fit, the core's place may give way to one nearby that looks like where
-/// the robot was carried: since the first of them it moved by more than odometry can be off.
-bool Recovery::hasSlid(const Pose2& T_map_base) const {
-  constexpr int kMisfits = 2;
-  constexpr double kMoved = 0.3, kTurned = 0.25;                           // m, rad
-  constexpr double kPerWay = 0.15, kBesidePerTurn = 0.1, kPerTurn = 0.25;  // of odometry
-  if (!is_settled_ || !in_doubt_ || misfits_ < kMisfits || !was_tracking_) return false;
-  const Pose2 slid = between(*in_doubt_, T_map_base);
-  const double beside = kPerWay * doubted_way_ + kBesidePerTurn * doubted_turn_;  // m
-  return std::hypot(slid.x, slid.y) > std::max(kMoved, beside) ||
-         std::abs(slid.theta) > std::max(kTurned, kPerTurn * doubted_turn_);
 }
 
 /// Where a scan does not fit, other places are worth a thought: not at each scan as long as no

@@ -10,10 +10,11 @@
 #include "adaptive_localization/core/options.hpp"
 #include "adaptive_localization/localizer/confidence.hpp"
 #include "adaptive_localization/localizer/status.hpp"
+#include "localizer/doubt.hpp"
 #include "localizer/hypotheses.hpp"
 #include "localizer/initial_pose.hpp"
 #include "localizer/proof.hpp"
-#include "localizer/scan_change.hpp"
+#include "localizer/scan_watch.hpp"
 #include "localizer/search_pace.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "localizer/usual_error.hpp"
@@ -75,7 +76,7 @@ class Recovery {
   void verify(const Estimate& estimate, const Observations& observations);
 
   /// The core's place is ruled out by the odds and others are left: modes().
-  bool mustMove() const { return contradictions_ >= kContradictions; }
+  bool mustMove() const { return race_.contradictions >= kContradictions; }
 
   /// The pose to publish: the estimate if it may replace dead reckoning, else dead reckoning, or
   /// the likely place that it is in.
@@ -119,7 +120,6 @@ class Recovery {
   static constexpr double kMissed = 0.5;     // of the beams: a view without the walls of the map
 
   void beCarried(const Pose2& T_map_base);
-  void doubt(const Pose2& T_map_base);
   void open(const Pose2& T_map_base, const Pose2& back = {});
   void openDoubted(const Observations& observations);
   void settle();
@@ -136,7 +136,7 @@ class Recovery {
   }
 
   /// There were so many places to choose from in this race that the true one may not be among them.
-  bool areMany() const { return most_ >= kMany; }
+  bool areMany() const { return race_.most >= kMany; }
 
   /// A new place that was one of so many.
   bool isOneOfMany() const { return were_many_ && isNew(); }
@@ -160,9 +160,7 @@ class Recovery {
   bool isCheckDue(const Observations& observations) const;
   bool hasJumped(const Pose2& expected, const Pose2& T_map_base) const;
   bool isSudden(const Pose2& T_map_base, const Scan& scan, double error) const;
-  bool hasSlid(const Pose2& T_map_base) const;
   bool isDoubtful(double error, bool is_seen) const;
-  void followDoubted(const Pose2& T_map_core, const Scan& scan);
   void findNothingBetter(double error);
   bool isOutvoted(const Pose2& T_map_base, double error, const Observations& observations);
   void race(const Pose2& T_map_base, double error, const Observations& observations);
@@ -190,14 +188,11 @@ class Recovery {
   std::vector<Mode> modes_;
   Status status_{Status::kUninitialised};
 
-  double error_{0.0};                // of the last scan at the core's place, m
-  bool scan_fits_{false};            // there, as well as is usual
-  bool is_settled_{true};            // there is one place, the core's,
-  std::optional<Pose2> in_doubt_{};  // but others are being searched for; by odometry since then
-  Hypotheses doubted_;               // the same place, as scans show it,
-  int waited_{0}, misfits_{0};       // so many scans long, so many of them unexplained;
-  double doubted_way_{0.0}, doubted_turn_{0.0};  // m and rad, driven since then
-  bool is_unchecked_{false};  // and it has not been compared with others for too long
+  double error_{0.0};         // of the last scan at the core's place, m
+  bool scan_fits_{false};     // there, as well as is usual
+  bool is_settled_{true};     // there is one place, the core's,
+  Doubt doubt_;               // but others are being searched for,
+  bool is_unchecked_{false};  // or it has not been compared with others for too long
   bool from_anywhere_{false};
   bool was_tracking_{false};  // since the reset
   InitialPose initial_pose_;
@@ -205,30 +200,29 @@ class Recovery {
   Proof proof_;
   Novelty novelty_;
 
-  std::optional<Pose2> leader_;  // of the new places in a search the last that was likely;
-  bool has_left_leader_{false};  // the last scan is suddenly none of that place
-  bool has_left_{false};         // the core's place was ruled out in this race,
-  double left_way_{0.0};         // so long a way ago, m
-  std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well
-  bool searched_{false};       // this map, since the race was opened,
-  bool was_searched_{false};   // or one before
-  bool explained_{false};      // some place explains the last scan
-  bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
-  int alike_{0};             // of this race, so many others than the core's fitted a scan as well
-  std::size_t most_{0};      // places to choose from at a time, in this race
-  bool were_many_{false};    // in the last one
-  int unexplained_{0};       // scans in a row that fit the core's place worse than is usual,
-  int unfit_{0};             // or hardly at all
-  int blind_{0};             // scans in a row that told nothing
-  double contradictions_{0.0};  // scans in a row for which the odds ruled it out
+  /// What a race has shown since it was opened.
+  struct Race {
+    std::optional<Pose2> leader{};  // of the new places the last that was likely
+    bool has_left{false};           // the core's place was ruled out,
+    double left_way{0.0};           // so long a way ago, m
+    bool searched{false};           // this map,
+    bool was_searched{false};       // or one before
+    bool explained{false};          // some place explains the last scan
+    int alike{0};                   // so many others than the core's fitted a scan as well
+    std::size_t most{0};            // places to choose from at a time
+    double contradictions{0.0};     // scans in a row for which the odds ruled the core's place out
+  };
+  Race race_;
   SearchPace pace_;
-  ScanChange scan_change_;
-  std::optional<Pose2> T_odom_base_;             // at the last scan, since when
-  bool is_covered_{false}, was_covered_{false};  // the laser of the last scan, of the one before
-  double way_on_{0.0};      // m or rad, of fitting scans that each show what the one before did
-  bool is_at_rest_{false};  // the robot did not move
-  bool is_carried_{false};  // since the last update
-  bool came_near_{false};   // much at once, since scans fitted the core's place
+  bool has_left_leader_{false};  // the last scan is suddenly none of the leader's
+  std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well
+  bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
+  bool were_many_{false};    // places to choose from in the last race
+
+  int unexplained_{0};  // scans in a row that fit the core's place worse than is usual,
+  int unfit_{0};        // or hardly at all
+  int blind_{0};        // scans in a row that told nothing
+  ScanWatch watch_;
 };
 
 }  // namespace adaptive_localization

@@ -26,7 +26,7 @@ void Recovery::learnUsual(double error) {
 /// for, unless the robot may be lost.
 void Recovery::findNothingBetter(double error) {
   const bool is_tracked = status_ == Status::kTracking;
-  const int scans = is_tracked ? std::min(unexplained_, waited_ + 1) : 1;
+  const int scans = is_tracked ? std::min(unexplained_, doubt_.scans() + 1) : 1;
   for (int i = 0; i < scans; ++i) learnUsual(error);
   pace_.findNothingBetter(error);
 }
@@ -35,9 +35,9 @@ void Recovery::findNothingBetter(double error) {
 /// for, it tells nothing that it would not tell of them as well.
 bool Recovery::isEarned(double error) const {
   constexpr double kWell = 0.1;  // m, of a scan that tells of its place, whatever was before
-  const bool is_moot = in_doubt_ || (were_many_ && !isAsUsual(error));
+  const bool is_moot = doubt_.isRaised() || (were_many_ && !isAsUsual(error));
   if (is_settled_ && (proof_.isSuspect() || (isNew() && is_moot))) return false;
-  const bool is_tracked = status_ == Status::kTracking && !in_doubt_;
+  const bool is_tracked = status_ == Status::kTracking && !doubt_.isRaised();
   return is_tracked || (is_settled_ && error < kWell);
 }
 

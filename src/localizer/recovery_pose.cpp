@@ -86,7 +86,8 @@ bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_
   if (status_ == Status::kAmbiguous && is_settled_ && !proof_.isGiven()) return true;
   if (!was_tracking_ && proof_.isByScans()) return !heldPlace(T_map_base_by_odometry);
   if (hasSlipped(T_map_base_by_odometry, T_map_base)) return true;
-  if (left_way_ > kFarFromIt && heldPlace(T_map_base)) return !heldPlace(T_map_base_by_odometry);
+  if (race_.left_way > kFarFromIt && heldPlace(T_map_base))
+    return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;
   return hypotheses_.leastError() < kWell && shareOf(T_map_base_by_odometry) < kRuledOut &&
          shareOf(T_map_base) > kLikely;

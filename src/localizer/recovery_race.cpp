@@ -21,36 +21,19 @@ Eigen::Matrix3d roughly() {
 
 }  // namespace
 
-/// The place is the core's, or, if no scan has fitted that since the last race, the one that scans
-/// have shown since then.
-void Recovery::doubt(const Pose2& T_map_base) {
-  if (doubted_.isEmpty()) doubted_.addKept(T_map_base, odds_);
-  in_doubt_ = doubted_.isEmpty() ? T_map_base : doubted_.modes().front().T_map_base;
-  doubted_way_ = doubted_turn_ = 0.0;
-}
-
-/// While other places are searched for, and until a scan fits, the doubted one is followed as it
-/// would be in a race: odometry may be wrong.
-void Recovery::followDoubted(const Pose2& T_map_core, const Scan& scan) {
-  if (!in_doubt_ && unexplained_ == 0) doubted_.clear();
-  if (doubted_.isEmpty() || scan.hits() == 0) return;
-  doubted_.note(T_map_core);
-  doubted_.follow(scan, usual_.value());
-}
-
 /// What was known of the place is void, and so is what was found of others.
 void Recovery::beCarried(const Pose2& T_map_base) {
   settle();
-  came_near_ = false;
+  watch_.forgetNear();
   left_.reset();
-  doubted_.clear();
+  doubt_.forget();
   odds_.beCarried();
   proof_.demand();
   proof_.forgetRefuted();
   pace_.restart();
   status_ = Status::kLost;
   was_tracking_ = from_anywhere_ = false;
-  doubt(T_map_base);
+  doubt_.raise(T_map_base, odds_);
 }
 
 /// By a scan that was taken a motion `back` from here.
@@ -65,15 +48,14 @@ void Recovery::open(const Pose2& T_map_base, const Pose2& back) {
 /// The scan that raised a doubt speaks against the doubted place, others since then may not: where
 /// it took more than one update to search for others, that scan is weighed first.
 void Recovery::openDoubted(const Observations& observations) {
-  const std::vector<Mode> followed = doubted_.modes();  // none if odometry was no finite pose
-  const Pose2 T_map_then = *in_doubt_;
-  const Pose2 T_map_now = followed.empty() ? T_map_then : followed.front().T_map_base;
+  const Pose2 T_map_then = doubt_.byOdometry(), T_map_now = doubt_.byScans();
   const Places::Asked* asked = ground_.places->askedBefore(observations);
   if (!asked) return open(T_map_now);
   open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
-  const double share = std::max(1, misfits_) / (waited_ + 1.0);
-  hypotheses_.weigh(withoutCover(asked->observations), {share, share, came_near_}, usual_.value());
+  const double share = doubt_.shareOfMisfits();
+  hypotheses_.weigh(withoutCover(asked->observations), {share, share, watch_.hasComeNear()},
+                    usual_.value());
   hypotheses_.prune(against());
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
@@ -86,13 +68,8 @@ void Recovery::openDoubted(const Observations& observations) {
 void Recovery::settle() {
   ground_.places->askAnew();
   is_settled_ = true;
-  leader_.reset();
-  was_searched_ = searched_ = explained_ = has_left_ = false;
-  most_ = 0;
-  alike_ = 0;
-  in_doubt_.reset();
-  left_way_ = 0.0;
-  contradictions_ = 0;
+  race_ = {};
+  doubt_.end();
   novelty_.restart();
   hypotheses_.clear();
   modes_.clear();
@@ -106,14 +83,14 @@ void Recovery::compare(const Pose2& expected, const Pose2& T_map_base, double er
   const bool was_settled = is_settled_;
   try {
     if (is_settled_ && isRaceDue(expected, T_map_base, error, observations)) {
-      in_doubt_ ? openDoubted(observations) : open(expected);
+      doubt_.isRaised() ? openDoubted(observations) : open(expected);
     } else if (is_settled_) {
       pace_.skipScan();
     }
     if (is_settled_) return;
     race(T_map_base, error, observations);
-    if (has_left_leader_ && !explained_) return beCarried(T_map_base);
-    came_near_ = came_near_ && !is_settled_;
+    if (has_left_leader_ && !race_.explained) return beCarried(T_map_base);
+    if (is_settled_) watch_.forgetNear();
     if (is_settled_ && unexplained_ > 0) findNothingBetter(error);
   } catch (const std::exception&) {
     if (was_settled) settle();
@@ -128,36 +105,36 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   hypotheses_.note(T_map_base);
   hypotheses_.addCore(T_map_base, hypotheses_.entry(kCoreMalus, odds_));
   // while no place explains the scans each may be the one that tells, but searching is not free
-  const bool has_places = searched_ && explained_;
+  const bool has_places = race_.searched && race_.explained;
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
   News news = novelty_.news(observations.scan.view.width);
-  news.is_sudden = came_near_;
+  news.is_sudden = watch_.hasComeNear();
   hypotheses_.weigh(observations, news, usual_.value());
-  alike_ = std::max(alike_, hypotheses_.alike(T_map_base));
+  race_.alike = std::max(race_.alike, hypotheses_.alike(T_map_base));
   hypotheses_.prune(against());
   novelty_.count();
   modes_ = hypotheses_.modes();
-  most_ = std::max(most_, modes_.size());
+  race_.most = std::max(race_.most, modes_.size());
   noteLeader();
-  explained_ = !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
-  if (!explained_) pace_.miss(hypotheses_.leastError());
+  race_.explained =
+      !modes_.empty() && hypotheses_.leastError() < std::max(kExplained, usual_.limit());
+  if (!race_.explained) pace_.miss(hypotheses_.leastError());
   const bool is_elsewhere = !hypotheses_.hold(T_map_base, error, usual_.value());
   const bool is_beside = hypotheses_.isCoreBeside() || hypotheses_.isOutdone(T_map_base);
-  const bool is_ruled_out = explained_ && (is_elsewhere || is_beside);
+  const bool is_ruled_out = race_.explained && (is_elsewhere || is_beside);
   const double worth = is_elsewhere ? 1.0 : kBesideWorth * news.share;
-  contradictions_ = is_ruled_out ? contradictions_ + worth : 0.0;
-  has_left_ = has_left_ || mustMove();
+  race_.contradictions = is_ruled_out ? race_.contradictions + worth : 0.0;
+  race_.has_left = race_.has_left || mustMove();
   if (!left_ && (was_tracking_ || !from_anywhere_)) left_ = hypotheses_.ruledOut();
   const bool is_one = modes_.size() == 1 && !hypotheses_.waitForSome() &&
                       areSamePlace(modes_[0].T_map_base, T_map_base);
-  if (!searched_ || is_ruled_out || !is_one) return;
+  if (!race_.searched || is_ruled_out || !is_one) return;
   if (searchAgain(observations)) return;
   if (hypotheses_.ruledOut()) leave();
-  if (odds_.ruleOut(alike_)) proof_.trust();
+  if (odds_.ruleOut(race_.alike)) proof_.trust();
   was_refuted_ = hypotheses_.refuted() > 0.0;
   were_many_ = areMany() || isOneOfMany();
-  doubted_.clear();
-  if (unexplained_ > 0) doubted_.addKept(modes_[0].T_map_base, odds_);
+  unexplained_ > 0 ? doubt_.keep(modes_[0].T_map_base, odds_) : doubt_.forget();
   settle();
   is_unchecked_ = initial_pose_.isCheckDue();
   odds_.find();
@@ -168,11 +145,11 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
 /// so soon; one that was known, that the robot was carried away.
 void Recovery::noteLeader() {
   constexpr double kLikely = 0.7;  // mass
-  if (!isNew()) return leader_.reset();
+  if (!isNew()) return race_.leader.reset();
   if (modes_.empty() || modes_.front().mass < kLikely) return;
   const Pose2& now = modes_.front().T_map_base;
-  if (leader_ && !areSamePlace(*leader_, now)) proof_.refute();
-  leader_ = now;
+  if (race_.leader && !areSamePlace(*race_.leader, now)) proof_.refute();
+  race_.leader = now;
 }
 
 /// Whether the race goes on though one place is left, as the true one may not be among those that
@@ -182,7 +159,7 @@ bool Recovery::searchAgain(const Observations& observations) {
   const bool is_lacking =
       hypotheses_.lackSome(against()) || pace_.wasBlind(hypotheses_.leastError());
   const double as_usual = areMany() ? 0.0 : Hypotheses::withTolerance(usual_.value());
-  const bool is_unsure = isNew() && most_ > 1 && pace_.isUnsure(as_usual);
+  const bool is_unsure = isNew() && race_.most > 1 && pace_.isUnsure(as_usual);
   if (is_lacking && isNew()) pace_.insist();
   if (is_lacking || (is_unsure && pace_.seesElse())) search(observations);
   return is_lacking || is_unsure;
@@ -202,8 +179,8 @@ void Recovery::search(const Observations& observations) {
   const std::vector<Place>& places = *answer;
   initial_pose_.checked();
   is_unchecked_ = false;
-  const double malus = searched_ ? kLateMalus : 0.0;
-  const double odds = was_searched_ ? hypotheses_.entry(malus, odds_) : 0.0;
+  const double malus = race_.searched ? kLateMalus : 0.0;
+  const double odds = race_.was_searched ? hypotheses_.entry(malus, odds_) : 0.0;
   if (observations.scan.hits() == 0) {
     hypotheses_.addFound(places, odds, roughly());
   } else if (ground_.places->askedBefore(observations)) {
@@ -213,7 +190,7 @@ void Recovery::search(const Observations& observations) {
   }
   const double error = places.empty() ? RangeError::kTruncation : places.front().error;
   pace_.searched(error < kExplained, error);
-  was_searched_ = searched_ = searched_ || !hypotheses_.isEmpty();
+  race_.was_searched = race_.searched = race_.searched || !hypotheses_.isEmpty();
 }
 
 }  // namespace adaptive_localization

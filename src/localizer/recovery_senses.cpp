@@ -48,10 +48,9 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 /// that the map does not have may fill its view. If its scans fitted for some way, and each since
 /// then has shown what the one before did, nobody carried the robot: the map is wrong there.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
-  constexpr double kWayOn = 0.5;  // m or rad
   if (confidence_.contradictions() < kContradictions) return false;
   if (scan.hits() == 0 || scan.view.width > kMostOfView) return true;
-  if (way_on_ >= kWayOn) return false;
+  if (watch_.goesOn()) return false;
   const RangeError::Fit fit = range_error_.at(T_map_base, scan);
   return fit.throughShare() > fit.short_share;
 }
@@ -84,26 +83,17 @@ bool Recovery::canSearch(const Observations& observations) const {
 }
 
 bool Recovery::isContradicted(const Pose2& T_map_base, const Scan& scan) const {
-  if (is_covered_ && !was_covered_) return false;
+  if (watch_.isJustCovered()) return false;
   if (seesNothing(scan)) return shareOfWallsMissed(T_map_base, scan) > kMissed;
   if (scan.hits() == 0) return false;
   if (confidence_.fitOf(T_map_base, scan) < Confidence::kContradiction) return true;
-  if (odds_.isKept() && !is_at_rest_) return false;
+  if (odds_.isKept() && !watch_.isAtRest()) return false;
   return range_error_.at(T_map_base, scan).error > kFarWorse * std::max(error_, usual_.limit());
 }
 
 bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
-  constexpr double kNoWay = 0.005;      // m or rad
-  constexpr double kMostChanged = 0.2;  // of the beams, unless people pass close by
-  constexpr double kMuch = 0.35;        // likewise
-  is_at_rest_ = T_odom_base_ && wayOf(between(*T_odom_base_, T_odom_base)) < kNoWay;
-  T_odom_base_ = T_odom_base;
-  was_covered_ = std::exchange(is_covered_, isCovered(scan));
-  is_carried_ = scan_change_.isElsewhere(T_odom_base, scan) || is_carried_;
-  if (scan_change_.changedShare() > kMostChanged) way_on_ = 0.0;
-  const bool sees_much = scan.view.width > kMostOfView;  // else one thing may be all
-  came_near_ = came_near_ || (sees_much && scan_change_.nearerShare() > kMuch);
-  return is_carried_;
+  watch_.observe(T_odom_base, scan);
+  return watch_.sawCarrying();
 }
 
 /// All places that explain a scan, or else what other senses tell: samples of a circle, say, only

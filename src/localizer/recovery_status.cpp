@@ -20,8 +20,8 @@ bool Recovery::isDisputed() const {
   if (!is_settled_) return false;
   if (was_refuted_ && unexplained_ > 0) return true;
   if (isOneOfMany() && odds_.areSpent() && !isAsUsual(error_)) return true;
-  if (!in_doubt_) return false;
-  if (waited_ >= kLong && isNew()) return true;
+  if (!doubt_.isRaised()) return false;
+  if (doubt_.scans() >= kLong && isNew()) return true;
   return unexplained_ > 0 && error_ > kFarWorse * usual_.limit();
 }
 
@@ -42,7 +42,7 @@ Status Recovery::judge() const {
     return is_found && modes_.size() > 1 ? Status::kAmbiguous : undecided;
   }
   const bool was_lost = status_ == Status::kLost || !was_tracking_;
-  if (was_lost && (in_doubt_ || odds_.areLost())) return undecided;
+  if (was_lost && (doubt_.isRaised() || odds_.areLost())) return undecided;
   const double fit = was_lost ? confidence_.latestFit() : confidence_.fit();
   const bool fits = fit >= (was_lost ? kFoundFit : Confidence::kContradiction);
   if (std::max(unfit_, confidence_.contradictions()) >= kContradictions) return nowhere;
