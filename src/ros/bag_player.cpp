@@ -8,19 +8,18 @@
 #include <stdexcept>
 
 #include "conversions.hpp"
-#include "transform_keeper.hpp"
 
 namespace adaptive_localization {
 namespace {
 
-void addTransforms(const BagMessage& message, TransformKeeper& keeper) {
+void addTransforms(const BagMessage& message, LocalizationNode& node) {
   const auto transforms = message.as<tf2_msgs::TFMessage>();
   if (!transforms) return;
   for (auto transform : transforms->transforms) {
     for (auto* frame : {&transform.header.frame_id, &transform.child_frame_id}) {
       *frame = withoutLeadingSlash(*frame);
     }
-    keeper.add(transform, message.is_fixed);
+    node.add(transform, message.is_fixed);
   }
 }
 
@@ -54,12 +53,11 @@ void playBag(BagStream& bag, LocalizationNode& node, const std::function<bool()>
   while (go_on() && !node.hasMap()) queue->callAvailable(ros::WallDuration(0.1));
 
   const ros::WallTime start = ros::WallTime::now();
-  TransformKeeper transforms(node.tf());
   ros::Time stamp;
   while (const auto message = bag.next()) {
     if (!go_on()) return;
     const std::string topic = withoutLeadingSlash(message->topic);
-    if (topic == "tf" || message->is_fixed) addTransforms(*message, transforms);
+    if (topic == "tf" || message->is_fixed) addTransforms(*message, node);
     if (topic == "base_scan" || node.hearsScansOn(topic)) {
       if (const auto scan = message->as<sensor_msgs::LaserScan>()) {
         node.add(boost::make_shared<sensor_msgs::LaserScan>(*scan));

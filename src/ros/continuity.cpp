@@ -28,12 +28,20 @@ std::optional<double> StampWatch::jumpTo(const std::string& frame, const ros::Ti
   return jumped ? std::optional<double>(step) : std::nullopt;
 }
 
-bool OdometryWatch::goesOn(const ros::Time& stamp, const Pose2& T_odom_base) {
+bool isRestart(const Restart& pause, const Pose2& T_odom_before, const Pose2& T_odom_after) {
+  constexpr double kPause = 1.0;  // s
+  const bool paused = !pause.before.isZero() && pause.after.toSec() - pause.before.toSec() > kPause;
+  return paused && isAtOrigin(T_odom_after) && distance(T_odom_before, T_odom_after) > kSlack;
+}
+
+bool OdometryWatch::goesOn(const ros::Time& stamp, const Pose2& T_odom_base,
+                           const std::optional<Restart>& last_restart) {
   const auto before = std::exchange(last_, Reading{stamp, T_odom_base});
   if (!before) return true;
   const double seconds = std::abs(stamp.toSec() - before->stamp.toSec());
   const double metres = distance(before->T_odom_base, T_odom_base);
-  const bool restarted = isAtOrigin(T_odom_base) && metres > kSlack && seconds > 1.0;
+  const bool restarted =
+      last_restart && before->stamp < last_restart->after && stamp >= last_restart->after;
   return metres <= kSlack + kSpeed * seconds && !restarted;
 }
 

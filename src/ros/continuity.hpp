@@ -23,11 +23,25 @@ class StampWatch {
   std::map<std::string, ros::Time> last_;
 };
 
-/// Finds jumps of odometry that no robot can drive: a driver that was started again.
+/// From the last odometry before its driver was started again to the first one thereafter.
+struct Restart {
+  ros::Time before, after;
+
+  /// tf makes up what was between.
+  bool contains(const ros::Time& stamp) const { return stamp > before && stamp < after; }
+};
+
+/// Whether odometry, after a pause, was started again: it stands at its origin, and stood elsewhere
+/// before. A robot that only drives past its origin sends odometry all the time.
+bool isRestart(const Restart& pause, const Pose2& T_odom_before, const Pose2& T_odom_after);
+
+/// Finds odometry that does not go on from the one before: jumps that no robot can drive, and
+/// restarts.
 class OdometryWatch {
  public:
   /// Whether this odometry goes on from the last one given.
-  bool goesOn(const ros::Time& stamp, const Pose2& T_odom_base);
+  bool goesOn(const ros::Time& stamp, const Pose2& T_odom_base,
+              const std::optional<Restart>& last_restart);
 
   void forget() { last_.reset(); }
 

@@ -111,6 +111,10 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
   if (!T_odom_base) throw std::invalid_argument(why);
+  const auto restart = tf_input_.restartBelow(options_.odom_frame_id);
+  if (restart && restart->contains(stamp)) {
+    throw std::invalid_argument("odometry was silent, and then started anew");
+  }
   const LaserScan laser_scan = toLaserScan(message);
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
@@ -142,7 +146,8 @@ void LocalizationNode::onOtherSense(const ros::Time& stamp, const Pose2& T_odom_
 void LocalizationNode::localize(const Pose2& T_odom_base, Observations observations,
                                 const ros::Time& stamp,
                                 const std::optional<ros::SteadyTime>& scan_arrival) {
-  if (!odometry_watch_.goesOn(stamp, T_odom_base) && answer_) {
+  const auto restart = tf_input_.restartBelow(options_.odom_frame_id);
+  if (!odometry_watch_.goesOn(stamp, T_odom_base, restart) && answer_) {
     ROS_WARN("Odometry jumped: starting anew around the last pose");
     startAround(*answer_);
   }

@@ -41,7 +41,9 @@ class LocalizationNode {
 
   /// For a bag in place of topics.
   bool hasMap() const { return localizer_ != nullptr; }
-  tf2_ros::Buffer& tf() { return tf_; }
+  void add(const geometry_msgs::TransformStamped& transform, bool fixed) {
+    tf_input_.add(transform, fixed);
+  }
   bool hearsScansOn(const std::string& topic) const { return scans_.hears(topic); }
   void add(const sensor_msgs::LaserScan::ConstPtr& scan) { scans_.add(scan); }
   void hear(const BagMessage& message) {

@@ -33,6 +33,16 @@ void TransformInput::onMessage(const Event& event, bool fixed) {
   }
 }
 
+void TransformInput::add(const geometry_msgs::TransformStamped& transform, bool fixed) {
+  const auto held = hold();
+  transforms_.add(transform, fixed);
+}
+
+std::optional<Restart> TransformInput::restartBelow(const std::string& parent) const {
+  const std::lock_guard<std::mutex> held(adding_);
+  return transforms_.restartBelow(parent);
+}
+
 std::string TransformInput::rivals() const {
   const std::lock_guard<std::mutex> held(adding_);
   return publishers_.rivals(ros::SteadyTime::now());

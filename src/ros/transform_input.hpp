@@ -7,6 +7,7 @@
 #include <tf2_ros/buffer.h>
 
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "frame_publishers.hpp"
@@ -21,6 +22,12 @@ class TransformInput {
  public:
   explicit TransformInput(tf2_ros::Buffer& buffer);
   ~TransformInput() { thread_.stop(); }
+
+  /// One that comes from elsewhere, as from a bag.
+  void add(const geometry_msgs::TransformStamped& transform, bool fixed);
+
+  /// As TransformKeeper has it.
+  std::optional<Restart> restartBelow(const std::string& parent) const;
 
   /// As long as the lock lives, no transform is added. tf2_ros::MessageFilter::add needs this: a
   /// message whose transform comes while it is being added is never handed on.

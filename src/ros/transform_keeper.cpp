@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../bag/stamps.hpp"
+#include "conversions.hpp"
 #include "core/background.hpp"
 
 namespace adaptive_localization {
@@ -19,6 +20,15 @@ void TransformKeeper::add(const geometry_msgs::TransformStamped& transform, bool
                     added.error.c_str());
 }
 
+std::optional<Restart> TransformKeeper::restartBelow(const std::string& parent) const {
+  std::optional<Restart> last;
+  for (const auto& [name, frame] : frames_) {
+    if (frame.parent != parent || !frame.restart) continue;
+    if (!last || frame.restart->after > last->after) last = frame.restart;
+  }
+  return last;
+}
+
 void TransformKeeper::clear() {
   buffer_.clear();
   frames_.clear();
@@ -29,6 +39,7 @@ bool TransformKeeper::put(const geometry_msgs::TransformStamped& transform, bool
   if (!leavesRoom(stamp)) throw std::runtime_error("its stamp is out of range");
   if (!fixed && isNewest(transform.child_frame_id, stamp)) return false;
   const bool is_taken = buffer_.setTransform(transform, "tf", fixed);
+  if (is_taken && !fixed) note(transform);
   if (fixed || !isStuck(transform.child_frame_id, stamp, is_taken)) return is_taken;
   ROS_WARN(
       "Transforms of '%s' have been %.1f s behind the newest for a second, which came from "
@@ -37,6 +48,16 @@ bool TransformKeeper::put(const geometry_msgs::TransformStamped& transform, bool
       frames_[transform.child_frame_id].newest.toSec() - stamp.toSec());
   clear();
   return put(transform, fixed);
+}
+
+void TransformKeeper::note(const geometry_msgs::TransformStamped& transform) {
+  Frame& seen = frames_[transform.child_frame_id];
+  const std::string parent = withoutLeadingSlash(transform.header.frame_id);
+  const Pose2 pose = toPose2(transform.transform);
+  const Restart pause{seen.newest, transform.header.stamp};
+  if (parent == seen.parent && isRestart(pause, seen.pose, pose)) seen.restart = pause;
+  seen.parent = parent;
+  seen.pose = pose;
 }
 
 /// Whether the last one that was taken had the same stamp: tf2 would log each that comes again.
@@ -50,7 +71,8 @@ bool TransformKeeper::isStuck(const std::string& frame, const ros::Time& stamp, 
   constexpr double kPatience = 1.0;  // s
   Frame& seen = frames_[frame];
   if (is_taken) {
-    seen = {stamp, ros::Time()};
+    seen.newest = stamp;
+    seen.refused_since = ros::Time();
     return false;
   }
   if (stamp >= seen.newest) return false;  // it was refused for another reason

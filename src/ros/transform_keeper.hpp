@@ -6,7 +6,11 @@
 #include <tf2/buffer_core.h>
 
 #include <map>
+#include <optional>
 #include <string>
+
+#include "adaptive_localization/core/pose2.hpp"
+#include "continuity.hpp"
 
 namespace adaptive_localization {
 
@@ -21,6 +25,10 @@ class TransformKeeper {
 
   void add(const geometry_msgs::TransformStamped& transform, bool fixed);
 
+  /// The last restart of what publishes a frame below this one, as base below odom: after a pause
+  /// it stands at its origin, and stood elsewhere before. Nothing if there was none.
+  std::optional<Restart> restartBelow(const std::string& parent) const;
+
   /// Forgets all but the fixed ones.
   void clear();
 
@@ -28,9 +36,13 @@ class TransformKeeper {
   struct Frame {
     ros::Time newest;         // that tf2 took
     ros::Time refused_since;  // zero: it took the last one
+    std::string parent;
+    Pose2 pose;  // the newest, in the parent
+    std::optional<Restart> restart;
   };
 
   bool put(const geometry_msgs::TransformStamped& transform, bool fixed);
+  void note(const geometry_msgs::TransformStamped& transform);
   bool isNewest(const std::string& frame, const ros::Time& stamp) const;
   bool isStuck(const std::string& frame, const ros::Time& stamp, bool is_taken);
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Time jumps back, with the robot where it was and elsewhere, and forward; odometry starts anew."""
+import math
 import sys
 
 import rospy
@@ -55,6 +56,30 @@ class TimeJump(ToyRobotCase):
         self.steps(10, TURN)
         self.check_logged_once("Odometry jumped")
         self.check_tracking()
+
+        # The same, to its origin, after a pause in which scans came.
+        self.forget()
+        for _ in range(15):
+            self.move()
+            self.scans.publish(self.scan_message())
+        self.move()
+        self.odometry = (0.0, 0.0, 0.0)
+        self.send_odometry()
+        self.steps(20, TURN)
+        self.check_logged_once("Odometry jumped")
+        self.wait_for_log("odometry was silent, and then started anew")
+        self.check_tracking()
+
+        # The robot drives a circle, to the origin of its odometry, while no scans come.
+        self.forget()
+        for _ in range(42):
+            self.move(TURN)
+            self.send_odometry()
+        self.step(TURN)
+        self.assertLess(math.hypot(*self.odometry[:2]), 0.05)
+        self.steps(10, TURN)
+        self.check_tracking()
+        self.assertFalse(self.logged("Odometry jumped"), self.logs)
 
     def check_logged_once(self, text):
         self.wait_for_log(text)

@@ -26,8 +26,8 @@ class TransformKeeperTest : public testing::Test {
   }
 
   /// So many, a tenth of a second apart.
-  void addFrom(double stamp, int count) {
-    for (int i = 0; i < count; ++i) add(stamp + 0.1 * i);
+  void addFrom(double stamp, int count, double x = 0.0) {
+    for (int i = 0; i < count; ++i) add(stamp + 0.1 * i, x);
   }
 
   bool knows(double stamp) const {
@@ -91,6 +91,33 @@ TEST_F(TransformKeeperTest, StampAtTheEndOfTimeIsIgnored) {
   add(4294967295.0);
   addFrom(1001.0, 2);
   EXPECT_TRUE(knows(1001.1));
+}
+
+/// Scans between were placed on a way that nobody drove.
+TEST_F(TransformKeeperTest, OdometryThatStandsAtItsOriginAfterAPauseWasStartedAnew) {
+  addFrom(1000.0, 10, 3.0);
+  EXPECT_FALSE(keeper_.restartBelow("odom"));
+  addFrom(1004.0, 5);
+  ASSERT_TRUE(keeper_.restartBelow("odom"));
+  EXPECT_NEAR(keeper_.restartBelow("odom")->before.toSec(), 1000.9, 1e-6);
+  EXPECT_NEAR(keeper_.restartBelow("odom")->after.toSec(), 1004.0, 1e-6);
+  EXPECT_FALSE(keeper_.restartBelow("map"));
+  addFrom(1004.5, 5, 0.1);
+  EXPECT_NEAR(keeper_.restartBelow("odom")->after.toSec(), 1004.0, 1e-6) << "the last one";
+}
+
+TEST_F(TransformKeeperTest, DrivingPastTheOriginIsNoRestart) {
+  for (int i = -30; i < 30; ++i) add(1000.0 + 0.1 * i, 0.1 * i);
+  EXPECT_FALSE(keeper_.restartBelow("odom"));
+  addFrom(1005.0, 10, 3.0);
+  EXPECT_FALSE(keeper_.restartBelow("odom")) << "a pause alone";
+}
+
+TEST_F(TransformKeeperTest, WhatIsForgottenWasNotStartedAnew) {
+  addFrom(1000.0, 10, 3.0);
+  keeper_.clear();
+  addFrom(1004.0, 5);
+  EXPECT_FALSE(keeper_.restartBelow("odom"));
 }
 
 }  // namespace
