@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/callback_queue.h>
 #include <ros/console.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "../ros/command_line.hpp"
 #include "../ros/free_memory.hpp"
 #include "../ros/localization_node.hpp"
+#include "../ros/stop_signal.hpp"
 
 namespace {
 
@@ -28,27 +27,11 @@ constexpr auto kUsage =
     "  --global-localization  start anywhere on the map\n"
     "  --help                 print this\n";
 
-volatile std::sig_atomic_t stop_requested = 0;
-
-void onSignal(int signal) {
-  constexpr unsigned kPatience = 10;  // s, less than roslaunch has
-  stop_requested = 1;
-  std::signal(signal, SIG_DFL);  // a second one ends the process at once
-  alarm(kPatience);
-}
-
-/// roscpp takes its leave of the master, and waits long for one that does not answer.
-void onAlarm(int) {
-  constexpr char kText[] = "adaptive_localization: ended without the ROS master's answer\n";
-  [[maybe_unused]] const auto said = write(STDERR_FILENO, kText, sizeof(kText) - 1);
-  std::_Exit(EXIT_FAILURE);
-}
-
 /// Runs the node until a signal or the end of the bag.
 void run(std::optional<adaptive_localization::BagStream>& bag,
          const std::vector<std::string>& arguments) {
   adaptive_localization::LocalizationNode localization(ros::NodeHandle(), ros::NodeHandle("~"));
-  const auto go_on = [] { return ros::ok() && !stop_requested; };
+  const auto go_on = [] { return ros::ok() && !adaptive_localization::isStopRequested(); };
   if (arguments.size() == 3) localization.localizeAnywhere();
   try {
     if (bag) adaptive_localization::playBag(*bag, localization, go_on);
@@ -83,7 +66,6 @@ int main(int argc, char** argv) {
     return EXIT_SUCCESS;
   }
   adaptive_localization::returnFreedBlocks();
-  // roscpp's own handler would close the connection to the master before the pose is kept.
   ros::init(argc, argv, "adaptive_localization", ros::init_options::NoSigintHandler);
   if (take("--verbose", arguments)) showAllOptions();
   const bool from_bag = (arguments.size() == 2 || arguments.size() == 3) &&
@@ -101,8 +83,6 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   const ros::NodeHandle node;  // a signal before the master answers ends the process at once
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-  std::signal(SIGALRM, onAlarm);
+  adaptive_localization::catchStopSignals();
   return adaptive_localization::runNode([&](const ros::NodeHandle&) { run(bag, arguments); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws the map of a floor plan, or a map anew, and makes it poor if asked to.
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/arguments.hpp"
 #include "eval/map_spoiler.hpp"
+#include "eval/outputs.hpp"
 #include "eval/program.hpp"
 #include "eval/spoil.hpp"
 #include "sim/rasterize.hpp"
@@ -55,15 +57,25 @@ DrawCommand parse(const std::vector<std::string>& arguments) {
                               " file names and numbers, expected two or three");
 }
 
+/// What to write, without an ending; that of a map's YAML file may be given.
+std::string baseOf(const std::string& name) {
+  std::filesystem::path base(name);
+  if (base.extension() == ".yaml") base.replace_extension();
+  if (base.has_filename()) return base.string();
+  throw std::invalid_argument("MAP: got '" + name + "', expected the name of a file");
+}
+
 void draw(const DrawCommand& command) {
   const std::string& source = command.words.front();
+  const std::string base = baseOf(command.words.back());
+  const bool is_map = command.words.size() == 2;
+  checkOutputs(filesToSave(base), is_map ? filesOfMap(source) : std::vector{source});
   OccupancyGrid map =
-      command.words.size() == 2
-          ? loadMap(source)
-          : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive,
-                                                      "a number above 0, in m"));
+      is_map ? loadMap(source)
+             : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive,
+                                                         "a number above 0, in m"));
   saveMap(spoil(std::move(map), command.spoils, static_cast<std::uint64_t>(command.spoil_seed)),
-          command.words.back());
+          base);
 }
 
 }  // namespace

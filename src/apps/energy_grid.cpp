@@ -14,6 +14,7 @@
 
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/energy_command.hpp"
+#include "eval/outputs.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
 #include "eval/report.hpp"
@@ -124,6 +125,7 @@ nlohmann::json toJson(const EnergyCommand& command, const EnergyGrid& grid,
 }
 
 void run(const EnergyCommand& command) {
+  checkOutputs({command.json_file}, filesOfMap(command.map));
   const auto map = std::make_shared<const OccupancyGrid>(loadMap(command.map));
   if (command.query && !map->isFree(map->lattice().cellAt({command.query->x, command.query->y}))) {
     throw std::invalid_argument("--query: that is not on free ground of " + command.map);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "eval/arguments.hpp"
+#include "eval/outputs.hpp"
 #include "eval/program.hpp"
 #include "eval/report.hpp"
 
@@ -66,6 +67,7 @@ LineDriveCommand parse(const std::vector<std::string>& arguments) {
 }
 
 void run(const LineDriveCommand& command) {
+  checkOutputs({command.json_file}, {command.plan.world});
   const LineDrive drive = driveByLines(command.plan);
   std::fputs(toTable(drive).c_str(), stdout);
   if (!command.json_file.empty()) saveJson(toJson(drive), command.json_file);

@@ -16,6 +16,7 @@
 #include "core/suggestion.hpp"
 #include "eval/log_reader.hpp"
 #include "eval/log_spoiler.hpp"
+#include "eval/outputs.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
 #include "eval/replay_command.hpp"
@@ -110,6 +111,18 @@ void writeResults(const ReplayCommand& command, const RunDescription& descriptio
   if (!command.is_quiet) std::cout << summarize(description, metrics) << '\n';
 }
 
+void checkFiles(const ReplayCommand& command) {
+  std::vector<std::string> inputs = filesOfMap(command.map), outputs;
+  inputs.insert(inputs.end(), {command.log.file, command.truth_file});
+  inputs.insert(inputs.end(), command.parameter_files.begin(), command.parameter_files.end());
+  outputs = {command.trajectory_file, command.json_file};
+  if (!command.report_folder.empty()) {
+    const auto map = filesToSave(command.report_folder + "/map");
+    outputs.insert(outputs.end(), map.begin(), map.end());
+  }
+  checkOutputs(outputs, inputs);
+}
+
 void search(const ReplayCommand& command, const Localizer& localizer, const Log& log) {
   SearchMetrics metrics;
   {
@@ -137,6 +150,7 @@ void replay(const ReplayCommand& asked) {
   const TunedParameters given = tuned(asked.parameters);
   if (!given.remark.empty() && !command.is_quiet) std::cerr << "replay: " << given.remark << '\n';
   command.parameters = given.parameters;
+  checkFiles(command);
   OccupancyGrid good_map = loadMap(command.map);
   const auto spoil_seed = static_cast<std::uint64_t>(
       command.spoil_seed.value_or(command.parameters.read<LocalizerOptions>().seed));

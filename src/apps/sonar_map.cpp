@@ -11,6 +11,7 @@
 
 #include "adaptive_localization/map/map_io.hpp"
 #include "eval/log_reader.hpp"
+#include "eval/outputs.hpp"
 #include "eval/program.hpp"
 #include "eval/progress_bar.hpp"
 #include "eval/report.hpp"
@@ -81,6 +82,12 @@ void write(const std::string& folder, const std::vector<SonarMap>& maps,
 }
 
 void run(const SonarMapCommand& command) {
+  std::vector<std::string> outputs{command.json_file, command.profile_file};
+  if (!command.out_folder.empty()) {
+    for (const std::string& file : filesToSave(command.out_folder + "/truth"))
+      outputs.push_back(file);
+  }
+  checkOutputs(outputs, {command.world, command.truth, command.log.file, command.poses_file});
   if (!command.profile_file.empty()) {
     SonarReading sonar;
     sonar.max_range = command.simulation.sonars.sonar_max_range;

@@ -15,6 +15,7 @@
 #include "bag_log_frames.hpp"
 #include "bag_log_senses.hpp"
 #include "bag_log_topics.hpp"
+#include "core/sweep_watch.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -122,8 +123,25 @@ class BagReader {
     log_.warnings.push_back(why + "; skipped");
   }
 
+  /// Sweeps that cannot have taken so long are not undone.
+  void straighten(std::vector<BagFrames::PlacedScan>& placed) {
+    SweepWatch sweeps;
+    int count = 0;
+    for (auto& [scan, frame, has_odometry, has_mount] : placed) {
+      if (sweeps.isPossible(frame, scan.scan)) continue;
+      scan.scan.time_increment = 0.0;
+      ++count;
+    }
+    if (count == 0) return;
+    log_.warnings.push_back(
+        "scans whose time_increment makes a sweep longer than the time between "
+        "scans, taken for 0: " +
+        std::to_string(count));
+  }
+
   void takeScans() {
     auto placed = frames_.finish();
+    straighten(placed);
     const bool has_tf_odometry =
         std::any_of(placed.begin(), placed.end(), [](const auto& p) { return p.has_odometry; });
     if (!request_.odom_topic.empty() || (!has_tf_odometry && !odom_topic_.empty())) {

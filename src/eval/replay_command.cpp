@@ -127,6 +127,7 @@ ReplayCommand parseReplayCommand(const std::vector<std::string>& arguments) {
   if (command.wants_help) return command;
   checkRequired(command);
   command.parameters = given.layer();
+  command.parameter_files = given.files;
   return command;
 }
 

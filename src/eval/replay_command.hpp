@@ -16,7 +16,8 @@ struct ReplayCommand {
   std::string map;
   LogRequest log;
   Parameters parameters;  // --params in order, then --set, then --filter, --seed, --threads
-  std::string start;      // truth, global or X,Y,YAW; empty: truth where there is one
+  std::vector<std::string> parameter_files;  // of --params
+  std::string start;  // truth, global or X,Y,YAW; empty: truth where there is one
   std::string truth_file;
   std::optional<Pose2> T_base_laser;  // in place of what the log says
   std::string trajectory_file, json_file, report_folder;

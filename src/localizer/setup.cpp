@@ -8,6 +8,7 @@
 
 #include "localizer/former_options.hpp"
 #include "match/scan_matcher.hpp"
+#include "particle/sample_size.hpp"
 #include "ser/places.hpp"
 
 namespace adaptive_localization {
@@ -72,7 +73,9 @@ Setup SetupReader::read(Parameters parameters) {
   for (const auto& [key, value] : filter.preset(given.preset)) {
     preset.set(key, value);
   }
+  const Parameters by_user = parameters;
   parameters.fill(preset);
+  orderLimits(by_user, parameters);
   Setup setup;
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();

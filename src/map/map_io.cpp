@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QImageReader>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -114,6 +115,29 @@ MapFile readMapFile(const std::string& yaml_file) {
   return map;
 }
 
+/// A grey picture one of whose values is transparent comes as one with colours, that one black:
+/// what it was is told by its place among the others.
+QImage greyIfGrey(const QImage& image) {
+  if (image.format() != QImage::Format_Indexed8) return image;
+  const auto greyOf = [&](int index) { return index * 255 / std::max(1, image.colorCount() - 1); };
+  int transparent = 0;
+  for (int index = 0; index < image.colorCount(); ++index) {
+    const QRgb colour = image.color(index);
+    if (qAlpha(colour) == 0)
+      ++transparent;
+    else if (colour != qRgb(greyOf(index), greyOf(index), greyOf(index)))
+      return image;
+  }
+  if (transparent != 1) return image;
+  QImage grey(image.size(), QImage::Format_Grayscale8);
+  for (int y = 0; y < image.height(); ++y) {
+    const unsigned char* index = image.constScanLine(y);
+    unsigned char* value = grey.scanLine(y);
+    for (int x = 0; x < image.width(); ++x) value[x] = static_cast<unsigned char>(greyOf(index[x]));
+  }
+  return grey;
+}
+
 /// 8 bits per channel: grey, or red, green and blue, with alpha where the image has it.
 QImage readImage(const std::string& name) {
   using Reason = MapFileError::Reason;
@@ -122,7 +146,7 @@ QImage readImage(const std::string& name) {
     throw MapFileError(Reason::kMissing, "image '" + name + "' cannot be opened");
   }
   QImageReader reader(&file);
-  const QImage image = reader.read();
+  const QImage image = greyIfGrey(reader.read());
   if (image.isNull()) {
     throw MapFileError(Reason::kImage, "image '" + name + "' is no image, expected PGM, PNG or " +
                                            "the like: " + reader.errorString().toStdString());
@@ -186,15 +210,12 @@ std::string besides(const std::string& yaml_file, const std::string& name) {
   return slash == std::string::npos ? name : yaml_file.substr(0, slash + 1) + name;
 }
 
-}  // namespace
-
-OccupancyGrid loadMap(const std::string& yaml_file) {
+/// Calls a reader with what the YAML file says, and names the file where something is wrong.
+template <class Reader>
+auto readMap(const std::string& yaml_file, const Reader& read) {
   const std::string about = "map file '" + yaml_file + "'";
   try {
-    const MapFile map = readMapFile(yaml_file);
-    const QImage image = readImage(besides(yaml_file, map.image));
-    const Lattice lattice(image.width(), image.height(), map.resolution, map.origin);
-    return OccupancyGrid::fromRows(lattice, ImageRows(image, map));
+    return read(readMapFile(yaml_file));
   } catch (const YAML::BadFile&) {
     throw MapFileError(MapFileError::Reason::kMissing, about + " cannot be opened");
   } catch (const MapFileError& error) {
@@ -202,6 +223,26 @@ OccupancyGrid loadMap(const std::string& yaml_file) {
   } catch (const std::exception& error) {
     throw MapFileError(MapFileError::Reason::kMetadata, about + ": " + error.what());
   }
+}
+
+}  // namespace
+
+OccupancyGrid loadMap(const std::string& yaml_file) {
+  return readMap(yaml_file, [&](const MapFile& map) {
+    const QImage image = readImage(besides(yaml_file, map.image));
+    const Lattice lattice(image.width(), image.height(), map.resolution, map.origin);
+    return OccupancyGrid::fromRows(lattice, ImageRows(image, map));
+  });
+}
+
+std::vector<std::string> filesOfMap(const std::string& yaml_file) {
+  return readMap(yaml_file, [&](const MapFile& map) {
+    return std::vector<std::string>{yaml_file, besides(yaml_file, map.image)};
+  });
+}
+
+std::vector<std::string> filesToSave(const std::string& base) {
+  return {base + ".pgm", base + ".yaml"};
 }
 
 void saveMap(const OccupancyGrid& grid, const std::string& base) {
@@ -221,12 +262,13 @@ void saveMap(const OccupancyGrid& grid, const std::string& base) {
   std::ostringstream yaml;
   yaml.precision(15);
   const Pose2& origin = lattice.origin();
-  const std::string name = base.substr(base.rfind('/') + 1) + ".pgm";
+  const std::vector<std::string> files = filesToSave(base);
+  const std::string name = files[0].substr(files[0].rfind('/') + 1);
   yaml << "image: " << YAML::Dump(YAML::Node(name)) << "\nresolution: " << lattice.resolution()
        << "\norigin: [" << origin.x << ", " << origin.y << ", " << origin.theta
        << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  writeWholeFile(base + ".pgm", image.str());
-  writeWholeFile(base + ".yaml", yaml.str());
+  writeWholeFile(files[0], image.str());
+  writeWholeFile(files[1], yaml.str());
 }
 
 }  // namespace adaptive_localization

@@ -105,6 +105,15 @@ Eigen::Index kldSampleSize(int bins, double err, double z) {
       std::ceil(k / (2.0 * err) * std::pow(1.0 - spread + std::sqrt(spread) * z, 3)));
 }
 
+void orderLimits(const Parameters& given, Parameters& all) {
+  const auto limits = all.read<SampleSizeOptions>();
+  if (limits.min_particles <= limits.max_particles) return;
+  if (!given.has("min_particles"))
+    all.set("min_particles", OptionValue{limits.max_particles});
+  else if (!given.has("max_particles"))
+    all.set("max_particles", OptionValue{limits.min_particles});
+}
+
 std::unique_ptr<SampleSize> fixedSampleSize(const SampleSizeOptions& options) {
   return std::make_unique<Fixed>(options.max_particles);
 }

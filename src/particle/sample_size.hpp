@@ -38,6 +38,10 @@ struct SampleSizeOptions {
   }
 };
 
+/// Of the limits min_particles and max_particles, one that was not given gives way to the other.
+/// `all` has the given values and those of a preset.
+void orderLimits(const Parameters& given, Parameters& all);
+
 /// Particles needed so that with probability 1 - delta the Kullback-Leibler divergence between the
 /// sample and the belief is at most err, when the belief fills `bins` bins (Fox, Adapting the
 /// sample size in particle filters through KLD-sampling, IJRR 2003, eq. 7; the Wilson-Hilferty

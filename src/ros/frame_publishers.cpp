@@ -21,11 +21,17 @@ void FramePublishers::hear(const std::string& frame, const std::string& publishe
 std::string FramePublishers::rivals(const ros::SteadyTime& now) const {
   const ros::WallDuration kRemembered(3.0);
   std::string text;
+  const auto isRecent = [&](const ros::SteadyTime& time) {
+    return !time.isZero() && now - time <= kRemembered;
+  };
   for (const auto& [name, frame] : frames_) {
-    if (frame.fought.isZero() || now - frame.fought > kRemembered) continue;
-    text += (text.empty() ? "'" : "; '") + name + "' is published by " +
-            std::min(frame.last.publisher, frame.other.publisher) + " and by " +
-            std::max(frame.last.publisher, frame.other.publisher);
+    const std::string start = (text.empty() ? "'" : "; '") + name + "' is published by ";
+    const auto& [last, other] = std::pair(frame.last.publisher, frame.other.publisher);
+    if (isRecent(frame.fought)) {
+      text += start + std::min(last, other) + " and by " + std::max(last, other);
+    } else if (!frame.fixed_by.empty() && frame.fixed_by != last && isRecent(frame.last.heard)) {
+      text += start + last + " and, as fixed, by " + frame.fixed_by;
+    }
   }
   return text;
 }

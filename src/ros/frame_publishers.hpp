@@ -15,6 +15,11 @@ class FramePublishers {
  public:
   void hear(const std::string& frame, const std::string& publisher, const ros::SteadyTime& now);
 
+  /// On /tf_static, where each is said once.
+  void hearFixed(const std::string& frame, const std::string& publisher) {
+    frames_[frame].fixed_by = publisher;
+  }
+
   /// Of the last few seconds, in words: "'odom' is published by /amcl and by /robot". Empty where
   /// each frame had one publisher; one that takes over from another is none beside it.
   std::string rivals(const ros::SteadyTime& now) const;
@@ -25,6 +30,7 @@ class FramePublishers {
     ros::SteadyTime heard;
   };
   struct Frame {
+    std::string fixed_by;    // empty: nobody
     Turn last, other;        // of the node that published last, and of the one before it
     ros::SteadyTime fought;  // when they took turns last
   };

@@ -130,6 +130,13 @@ Velocity GoalFollower::approach(const Pose2& T_map_base) {
   return {0.0, std::clamp(options_.route.route_p * aside, -most, most)};
 }
 
+void GoalFollower::stop() {
+  if (!goal_) return;
+  goal_.reset();
+  command({});
+  ros::WallDuration(0.1).sleep();  // a publisher that ends drops what it has not sent
+}
+
 void GoalFollower::command(const Velocity& velocity) {
   geometry_msgs::Twist message;
   message.linear.x = velocity.forward;

@@ -39,6 +39,9 @@ class GoalFollower {
   /// Throws std::invalid_argument naming what is wrong with a parameter.
   GoalFollower(ros::NodeHandle node, ros::NodeHandle private_node);
 
+  /// Tells a robot that is on its way to stand, and waits until that is sent.
+  void stop();
+
  private:
   GoalFollower(ros::NodeHandle node, const Parameters& parameters);
   void onMap(const nav_msgs::OccupancyGrid& map);

@@ -115,7 +115,7 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   if (restart && restart->contains(stamp)) {
     throw std::invalid_argument("odometry was silent, and then started anew");
   }
-  const LaserScan laser_scan = toLaserScan(message);
+  const LaserScan laser_scan = believed(message);
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
   Scan scan = toScan(laser_scan, mount, localizer_->scanOptions(), velocity);
@@ -131,6 +131,19 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   last_scan_ = stamp;
   localize(*T_odom_base, std::move(observations), stamp, arrival);
   return true;
+}
+
+/// A sweep that cannot have taken so long is not undone.
+LaserScan LocalizationNode::believed(const sensor_msgs::LaserScan& message) {
+  LaserScan scan = toLaserScan(message);
+  if (sweeps_.isPossible(withoutLeadingSlash(message.header.frame_id), scan)) return scan;
+  std::ostringstream text;
+  text.precision(3);
+  text << "its time_increment, " << scan.time_increment << " s, makes a sweep of "
+       << durationOf(scan) << " s, longer than the time between scans: it is taken for 0";
+  scans_.complain(text.str());
+  scan.time_increment = 0.0;
+  return scan;
 }
 
 /// Without a laser, or while it is silent, landmarks and sonars are what the robot is localized by;

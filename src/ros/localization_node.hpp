@@ -11,6 +11,7 @@
 
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "continuity.hpp"
+#include "core/sweep_watch.hpp"
 #include "display.hpp"
 #include "estimate_publisher.hpp"
 #include "heading_source.hpp"
@@ -62,6 +63,7 @@ class LocalizationNode {
   void onMap(BuiltMap& map);
   bool onScan(const sensor_msgs::LaserScan& message, const LaserMount& mount,
               const ros::SteadyTime& arrival);
+  LaserScan believed(const sensor_msgs::LaserScan& message);
   void onOtherSense(const ros::Time& stamp, const Pose2& T_odom_base);
   void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp,
                 const std::optional<ros::SteadyTime>& scan_arrival);
@@ -101,6 +103,7 @@ class LocalizationNode {
   ParameterWriter parameter_writer_;
   PoseKeeper pose_keeper_;
   ScanSource scans_;
+  SweepWatch sweeps_;
   HeadingSource headings_;
   LandmarkSource landmarks_;
   SonarSource sonars_;

@@ -28,8 +28,12 @@ void TransformInput::onMessage(const Event& event, bool fixed) {
   emptyAfterJump();
   for (const auto& transform : event.getConstMessage()->transforms) {
     transforms_.add(transform, fixed);
-    if (fixed) continue;  // whoever knows where a frame is may say so
-    publishers_.hear(withoutLeadingSlash(transform.child_frame_id), event.getPublisherName(), now);
+    const std::string frame = withoutLeadingSlash(transform.child_frame_id);
+    if (fixed) {
+      publishers_.hearFixed(frame, event.getPublisherName());
+    } else {
+      publishers_.hear(frame, event.getPublisherName(), now);
+    }
   }
 }
 

@@ -39,7 +39,8 @@ struct LaserOptions {
     option("lasers", lasers, Range{0, 2}, "",
            "None: a robot without a laser. Two: the second one sits as the first, half a turn "
            "round the middle of the robot.");
-    option("laser_beams", laser_beams, Range{2, 3601}, "", "Beams over the view: 181 or 361.");
+    option("laser_beams", laser_beams, Range{2, 3601}, "",
+           "Beams over the view; a SICK LMS has 181 or 361.");
     option("laser_view", laser_view, Range{1, 360}, "deg",
            "Angle from the first beam to the last.");
     option("laser_interlaced", laser_interlaced,

@@ -71,29 +71,31 @@ OccupancyGrid solidWhereNotFree(const OccupancyGrid& grid) {
 class GridWorld final : public World {
  public:
   explicit GridWorld(std::shared_ptr<const OccupancyGrid> grid)
-      : lattice_(grid->lattice()), caster_(grid), field_(solidWhereNotFree(*grid)) {}
+      : grid_(grid), caster_(grid), field_(solidWhereNotFree(*grid)) {}
 
   double range(const Pose2& T_map_ray, double max_range) const override {
     return caster_.range(T_map_ray, max_range);
   }
 
   double clearance(const Eigen::Vector2d& point, double cap) const override {
-    if (!lattice_.contains(lattice_.cellAt(point))) return 0.0;
+    const Lattice& lattice = grid_->lattice();
+    if (!grid_->isFree(lattice.cellAt(point))) return 0.0;  // the field knows the faces of solids
     // To the nearest solid cell's centre; its side is half a cell nearer.
-    return std::min(std::max(field_.between(point) - lattice_.resolution() / 2.0, 0.0), cap);
+    return std::min(std::max(field_.between(point) - lattice.resolution() / 2.0, 0.0), cap);
   }
 
   Bounds bounds() const override {
-    const auto& origin = lattice_.origin();
-    const double width = lattice_.width() * lattice_.resolution();
-    const double height = lattice_.height() * lattice_.resolution();
+    const Lattice& lattice = grid_->lattice();
+    const auto& origin = lattice.origin();
+    const double width = lattice.width() * lattice.resolution();
+    const double height = lattice.height() * lattice.resolution();
     return boundsOf({origin * Eigen::Vector2d(0.0, 0.0), origin * Eigen::Vector2d(width, 0.0),
                      origin * Eigen::Vector2d(width, height),
                      origin * Eigen::Vector2d(0.0, height)});
   }
 
  private:
-  Lattice lattice_;
+  std::shared_ptr<const OccupancyGrid> grid_;
   RayCaster caster_;
   DistanceField field_;
 };

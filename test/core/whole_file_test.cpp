@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <iterator>
+#include <string>
+#include <thread>
 
 #include "support/temp_folder.hpp"
 
@@ -45,6 +47,22 @@ TEST_F(WholeFile, LeavesTheOldOneIfTheNewCannotBeWritten) {
               ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr(file_), HasSubstr("cannot be written: Is a directory"))));
   EXPECT_EQ(contentsOf(file_), "old");
+}
+
+/// As two nodes with one pose_file do.
+TEST_F(WholeFile, IsOneOfTwoThatAreWrittenAtTheSameTime) {
+  const std::string longer(100000, 'a'), shorter(50000, 'b');
+  const auto writeOften = [&](const std::string& contents) {
+    for (int i = 0; i < 100; ++i) {
+      writeWholeFile(file_, contents);
+      const std::string found = contentsOf(file_);
+      ASSERT_TRUE(found == longer || found == shorter) << found.size();
+    }
+  };
+  std::thread other([&] { writeOften(shorter); });
+  writeOften(longer);
+  other.join();
+  EXPECT_FALSE(fs::exists(file_ + ".part"));
 }
 
 TEST_F(WholeFile, WritesWhereALinkLeads) {

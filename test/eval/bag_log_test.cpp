@@ -179,6 +179,30 @@ TEST_F(BagLog, KeepsScansOfAlternatingShape) {
   EXPECT_EQ(log.scans[1].scan.ranges.size(), 180U);
 }
 
+TEST_F(BagLog, SweepsLongerThanTheTimeBetweenScansAreNotBelieved) {
+  {
+    BagWriter bag(request_.file);
+    bag.laserTransform(100.0);
+    for (int i = 0; i <= 30; ++i) bag.odometryTransform(100.0 + 0.1 * i, {0.1 * i, 0.0, 0.0});
+    sensor_msgs::LaserScan scan;
+    scan.header.frame_id = "laser";
+    scan.range_max = 8.0F;
+    scan.angle_increment = 0.01F;
+    scan.ranges.assign(101, 2.0F);
+    for (int i = 0; i < 20; ++i) {
+      scan.header.stamp = ros::Time(100.05 + 0.1 * i);
+      scan.time_increment = i < 10 ? 0.001F : 0.005F;  // a sweep of 0.1 or 0.5 s, every 0.1 s
+      bag.write("/scan", scan.header.stamp.toSec(), scan);
+    }
+  }
+  const Log log = readLog(request_);
+  ASSERT_EQ(log.scans.size(), 20U);
+  EXPECT_NEAR(log.scans[9].scan.time_increment, 0.001, 1e-6);
+  EXPECT_EQ(log.scans[10].scan.time_increment, 0.0);
+  EXPECT_THAT(log.warnings,
+              Contains(AllOf(HasSubstr("time_increment"), HasSubstr("taken for 0: 10"))));
+}
+
 TEST_F(BagLog, SaysHowManyTransformsAreOfNoUse) {
   {
     BagWriter bag(request_.file);

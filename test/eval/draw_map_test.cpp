@@ -48,6 +48,27 @@ TEST_F(DrawMap, SpoilsAnotherMap) {
   EXPECT_NEAR(drawn.lattice().origin().x, plain.lattice().origin().x + 0.5, 1e-9);
 }
 
+TEST_F(DrawMap, TakesTheNameOfTheYamlFileToo) {
+  EXPECT_EQ(runProgram(DRAW_MAP, {kWorld, "0.1", folder_.file("maze.yaml")}).exit_code, 0);
+  EXPECT_NO_THROW(loadMap(folder_.file("maze.yaml")));
+  expectRejected({kWorld, "0.1", ""}, "MAP: got '', expected the name of a file");
+  expectRejected({kWorld, "0.1", folder_.file("")}, "expected the name of a file");
+}
+
+TEST_F(DrawMap, ReplacesNothingThatItReads) {
+  const std::string plan = folder_.write("office.yaml", readWhole(kWorld));
+  expectRejected({plan, "0.1", folder_.file("office")}, "is the input '" + plan + "'");
+  EXPECT_EQ(readWhole(plan), readWhole(kWorld));
+  saveMap(rasterize(loadFloorPlan(kWorld), 0.1), folder_.file("plain"));
+  const std::string image = readWhole(folder_.file("plain.pgm"));
+  folder_.write("other.yaml", readWhole(folder_.file("plain.yaml")));
+  for (const char* old : {"plain.yaml", "other.yaml"}) {
+    expectRejected({folder_.file(old), folder_.file("plain"), "--spoil", "thick"},
+                   "is the input '" + folder_.file("plain.pgm") + "'");
+  }
+  EXPECT_EQ(readWhole(folder_.file("plain.pgm")), image);
+}
+
 TEST_F(DrawMap, RefusesWhatItDoesNotKnow) {
   expectRejected({"one"}, "draw_map: got 1 file names and numbers, expected two or three");
   expectRejected({kWorld, "tiny", "/tmp/x"}, "RESOLUTION: got 'tiny', expected a number");

@@ -74,6 +74,24 @@ TEST_F(Replay, IsQuietIfAsked) {
   EXPECT_THAT(result.errors, IsEmpty());
 }
 
+TEST_F(Replay, ReplacesNothingThatItReads) {
+  const std::string options = folder_.write("options.yaml", "update_min_d: 0.2\n");
+  const auto expectRefused = [&](const std::string& option, const std::string& output,
+                                 const std::string& input) {
+    const std::string before = readWhole(input);
+    const ProgramResult result = replay({"--truth", truth_, "--params", options, option, output});
+    EXPECT_EQ(result.exit_code, 1) << option;
+    EXPECT_THAT(result.errors, HasSubstr("is the input '" + input + "', expected another file"));
+    EXPECT_EQ(readWhole(input), before) << option;
+  };
+  expectRefused("--trajectory", truth_, truth_);
+  expectRefused("--json", log_, log_);
+  expectRefused("--json", options, options);
+  saveMap(loadMap(map_), folder_.file("map"));
+  map_ = folder_.file("map.yaml");
+  expectRefused("--report", folder_.file(""), folder_.file("map.pgm"));
+}
+
 TEST_F(Replay, SaysWhereItStarts) {
   EXPECT_THAT(replay({"--truth", truth_}).output,
               HasSubstr("started at (1.500, 1.200) m, 0.0 deg, as the reference says"));

@@ -52,6 +52,25 @@ TEST(LocalizerOptions, AreRefusedByName) {
               AllOf(HasSubstr("'laser_min_range': got '5'"), HasSubstr("laser_max_range")));
 }
 
+/// amcl's defaults are other ones: what is right there must not be refused for ours.
+TEST(LocalizerOptions, ALimitOfParticlesThatNobodyGaveGivesWay) {
+  const auto limits = [](const std::string& key, int value, const std::string& preset) {
+    Parameters parameters;
+    parameters.set("filter", OptionValue{std::string("kld")});
+    parameters.set("preset", OptionValue{preset});
+    parameters.set(key, OptionValue{value});
+    const Localizer localizer(parameters, asymmetricWorld());
+    return std::pair(std::get<int>(effective(localizer, "min_particles")),
+                     std::get<int>(effective(localizer, "max_particles")));
+  };
+  for (const char* preset : {"recommended", "seed"}) {
+    EXPECT_EQ(limits("max_particles", 30, preset), std::pair(30, 30)) << preset;
+    EXPECT_EQ(limits("min_particles", 70000, preset), std::pair(70000, 70000)) << preset;
+  }
+  EXPECT_EQ(limits("max_particles", 3000, "recommended").second, 3000);
+  EXPECT_GT(limits("max_particles", 3000, "recommended").first, 100) << "as ever";
+}
+
 TEST(LocalizerOptions, ThatNobodyKnowsAreListed) {
   const Localizer localizer(parametersWith({{"odom_alpha_1", 0.1}, {"recovery_alpha_slow", 0.1}}),
                             asymmetricWorld());

@@ -103,6 +103,19 @@ TEST_F(MapIo, ColourIsAveraged) {
   EXPECT_THAT(load(with("image", "map.png") + "mode: scale\n").cells(), ElementsAre(30));
 }
 
+/// A PNG file of the greys 0, 205 and 254, of which 205 is transparent (chunk tRNS).
+TEST_F(MapIo, AGreyValueThatIsTransparentIsThatValue) {
+  const char png[] =
+      "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x03"
+      "\x00\x00\x00\x01\x08\x00\x00\x00\x00\x3e\x8b\x4b\x68\x00\x00\x00\x02\x74\x52\x4e"
+      "\x53\x00\xcd\x93\x46\x73\x35\x00\x00\x00\x0c\x49\x44\x41\x54\x78\x9c\x63\x60\x38"
+      "\xfb\x0f\x00\x02\x9c\x01\xcc\xc9\x8a\xee\xba\x00\x00\x00\x00\x49\x45\x4e\x44\xae"
+      "\x42\x60\x82";
+  folder_.write("map.png", std::string(png, sizeof(png) - 1));
+  EXPECT_THAT(load(with("image", "map.png")).cells(), ElementsAre(100, -1, 0));
+  EXPECT_THAT(load(with("image", "map.png") + "mode: scale\n").cells(), ElementsAre(100, 1, 0));
+}
+
 TEST_F(MapIo, SixteenBitsAreReadAsEight) {
   cv::imwrite(folder_.file("map.png"), cv::Mat(1, 1, CV_16UC1, cv::Scalar(50 * 257)));
   EXPECT_THAT(load(with("image", "map.png") + "mode: raw\n").cells(), ElementsAre(50));

@@ -52,6 +52,15 @@ TEST_F(FramePublishersTest, OneThatTakesOverIsNoRival) {
   EXPECT_EQ(rivals(9.0), "");
 }
 
+TEST_F(FramePublishersTest, AFixedOneBesideOneThatMovesIsNamed) {
+  publishers_.hearFixed("odom", "/leftover");
+  publishers_.hearFixed("laser", "/robot");
+  EXPECT_EQ(rivals(0.0), "") << "alone";
+  hear(1.0, "/localization");
+  EXPECT_EQ(rivals(1.0), "'odom' is published by /localization and, as fixed, by /leftover");
+  EXPECT_EQ(rivals(9.0), "") << "the other one has ended";
+}
+
 TEST_F(FramePublishersTest, AllFramesInDisputeAreNamed) {
   for (int i = 0; i < 3; ++i) {
     for (const char* publisher : {"/a", "/b"}) {

@@ -3,8 +3,12 @@
 """A robot is driven to goals by the transform from map to base alone, as a navigation stack does it,
 and stands there: on the floor, not only on the map."""
 import math
+import os
+import signal
 import sys
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped, Twist
@@ -63,6 +67,15 @@ class Goal(LocalizationCase):
         self.wait_for_time(2.0)
         self.assertEqual(len(self.plans), plans)
         self.assertFalse([c for c in self.commands[since:] if c.linear.x > 0.0])
+
+    def test_when_the_follower_ends_the_robot_stands(self):
+        """Comes last, by its name."""
+        since = len(self.commands)
+        self.send(5.5, 2.7, 0.0)
+        self.wait_for(lambda: [c for c in self.commands[since:] if c.linear.x > 0.1], "the robot to drive")
+        follower = xmlrpc.client.ServerProxy(rosgraph.Master("goal_test").lookupNode("/goal_follower"))
+        os.kill(follower.getPid("goal_test")[2], signal.SIGINT)
+        self.wait_for(lambda: self.stands(since), "the robot to stand")
 
 
 if __name__ == "__main__":

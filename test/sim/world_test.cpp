@@ -93,6 +93,35 @@ TEST(World, AMapTakenForTheTruthHasTheMapsRanges) {
   EXPECT_EQ(world->clearance({-50, 0}, 1), 0.0);
 }
 
+/// However deep it is: a robot is not put down on it, and finds no way across.
+TEST(World, WhatAMapDoesNotShowIsSolid) {
+  const Lattice lattice(120, 80, 0.05, {});
+  std::vector<std::int8_t> cells(lattice.size(), OccupancyGrid::kUnknown);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell cell = lattice.cell(i);
+    const bool is_room = cell.x >= 10 && cell.x < 50 && cell.y >= 10 && cell.y < 50;
+    if (is_room) cells[i] = OccupancyGrid::kFree;
+  }
+  const auto world = makeWorld(std::make_shared<const OccupancyGrid>(lattice, std::move(cells)));
+  EXPECT_EQ(world->clearance({4.5, 2.0}, 1.0), 0.0) << "2 m from the room";
+  EXPECT_NEAR(world->clearance({1.5, 1.5}, 2.0), 1.0, 0.06);
+  const FreeSpace space(world, 0.2);
+  Rng rng(1);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Vector2d place = space.sample(rng);
+    EXPECT_TRUE(place.x() > 0.5 && place.x() < 2.5 && place.y() > 0.5 && place.y() < 2.5)
+        << place.transpose();
+  }
+}
+
+TEST(World, AMapWithoutFreeGroundHasNoPlaceForARobot) {
+  for (const std::int8_t value : {OccupancyGrid::kUnknown, OccupancyGrid::kOccupied}) {
+    const auto grid = std::make_shared<const OccupancyGrid>(Lattice(80, 80, 0.05, {}),
+                                                            std::vector<std::int8_t>(6400, value));
+    EXPECT_THROW(FreeSpace(makeWorld(grid), 0.2), std::invalid_argument);
+  }
+}
+
 TEST(World, TruthAndMapAgreeInEveryWorld) {
   for (const auto& name : kWorlds) {
     const FloorPlan plan = loadFloorPlan(worldFile(name));

@@ -87,7 +87,8 @@ struct ScanOptions {
            "Hits of at least this intensity are sightings of landmarks of the landmark_map, "
            "without identity; 0: intensities are not used.");
     option("deskew", deskew,
-           "Correct scans for the robot's motion between the first beam and the last.");
+           "Correct scans for the robot's motion between the first beam and the last; not where "
+           "time_increment makes that longer than the time between scans.");
   }
 };
 

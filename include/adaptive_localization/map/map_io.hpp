@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
@@ -26,6 +27,13 @@ class MapFileError : public std::invalid_argument {
 /// free_thresh, optional mode: trinary, scale or raw) and the image it names, relative to the YAML.
 /// Throws MapFileError.
 OccupancyGrid loadMap(const std::string& yaml_file);
+
+/// The files that a map is read from: its YAML file, and the image that it names. Throws
+/// MapFileError.
+std::vector<std::string> filesOfMap(const std::string& yaml_file);
+
+/// Those that it is written to.
+std::vector<std::string> filesToSave(const std::string& base);
 
 /// Writes BASE.pgm and BASE.yaml as map_saver does (254 free, 0 occupied, 205 unknown).
 /// Throws std::runtime_error naming the file that could not be written.
