@@ -124,7 +124,7 @@ class BagReader {
   }
 
   /// Sweeps that cannot have taken so long are not undone.
-  void straighten(std::vector<BagFrames::PlacedScan>& placed) {
+  void checkSweeps(std::vector<BagFrames::PlacedScan>& placed) {
     SweepWatch sweeps;
     int count = 0;
     for (auto& [scan, frame, has_odometry, has_mount] : placed) {
@@ -134,14 +134,14 @@ class BagReader {
     }
     if (count == 0) return;
     log_.warnings.push_back(
-        "scans whose time_increment makes a sweep longer than the time between "
-        "scans, taken for 0: " +
+        "scans whose time_increment, taken for 0, makes a sweep longer than the time between "
+        "scans: " +
         std::to_string(count));
   }
 
   void takeScans() {
     auto placed = frames_.finish();
-    straighten(placed);
+    checkSweeps(placed);
     const bool has_tf_odometry =
         std::any_of(placed.begin(), placed.end(), [](const auto& p) { return p.has_odometry; });
     if (!request_.odom_topic.empty() || (!has_tf_odometry && !odom_topic_.empty())) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -115,27 +116,30 @@ MapFile readMapFile(const std::string& yaml_file) {
   return map;
 }
 
-/// A grey picture one of whose values is transparent comes as one with colours, that one black:
-/// what it was is told by its place among the others.
-QImage greyIfGrey(const QImage& image) {
-  if (image.format() != QImage::Format_Indexed8) return image;
-  const auto greyOf = [&](int index) { return index * 255 / std::max(1, image.colorCount() - 1); };
-  int transparent = 0;
+QRgb greyAt(int index, const QImage& image) {
+  const int grey = index * 255 / std::max(1, image.colorCount() - 1);
+  return qRgb(grey, grey, grey);
+}
+
+/// The only colour of a picture that is transparent, if all others are greys in their order; else
+/// nothing.
+std::optional<int> transparentGrey(const QImage& image) {
+  std::optional<int> transparent;
   for (int index = 0; index < image.colorCount(); ++index) {
     const QRgb colour = image.color(index);
-    if (qAlpha(colour) == 0)
-      ++transparent;
-    else if (colour != qRgb(greyOf(index), greyOf(index), greyOf(index)))
-      return image;
+    const bool is_grey = colour == greyAt(index, image);
+    if (!is_grey && (qAlpha(colour) > 0 || transparent)) return std::nullopt;
+    if (!is_grey) transparent = index;
   }
-  if (transparent != 1) return image;
-  QImage grey(image.size(), QImage::Format_Grayscale8);
-  for (int y = 0; y < image.height(); ++y) {
-    const unsigned char* index = image.constScanLine(y);
-    unsigned char* value = grey.scanLine(y);
-    for (int x = 0; x < image.width(); ++x) value[x] = static_cast<unsigned char>(greyOf(index[x]));
-  }
-  return grey;
+  return transparent;
+}
+
+/// A grey picture one of whose values is transparent comes as one with colours, that one black.
+QImage greyIfGrey(QImage image) {
+  const std::optional<int> transparent = transparentGrey(image);
+  if (!transparent) return image;
+  image.setColor(*transparent, greyAt(*transparent, image));
+  return image.convertToFormat(QImage::Format_Grayscale8);
 }
 
 /// 8 bits per channel: grey, or red, green and blue, with alpha where the image has it.

@@ -107,11 +107,11 @@ Eigen::Index kldSampleSize(int bins, double err, double z) {
 
 void orderLimits(const Parameters& given, Parameters& all) {
   const auto limits = all.read<SampleSizeOptions>();
-  if (limits.min_particles <= limits.max_particles) return;
-  if (!given.has("min_particles"))
-    all.set("min_particles", OptionValue{limits.max_particles});
-  else if (!given.has("max_particles"))
-    all.set("max_particles", OptionValue{limits.min_particles});
+  const bool has_most = given.has("max_particles");
+  if (limits.min_particles <= limits.max_particles || given.has("min_particles") == has_most)
+    return;
+  const char* const other = has_most ? "min_particles" : "max_particles";
+  all.set(other, OptionValue{has_most ? limits.max_particles : limits.min_particles});
 }
 
 std::unique_ptr<SampleSize> fixedSampleSize(const SampleSizeOptions& options) {
