@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sighting_ear.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -53,10 +54,12 @@ bool SightingEar::accept(const sensor_msgs::PointCloud& message) {
 
 /// Empty for none.
 std::string SightingEar::faultOf(const sensor_msgs::PointCloud& message) const {
-  if (withoutLeadingSlash(message.header.frame_id).empty()) return "its frame_id is empty";
+  const std::string frame = withoutLeadingSlash(message.header.frame_id);
+  if (frame.empty()) return "its frame_id is empty";
   if (!leavesRoom(message.header.stamp)) return "its stamp is out of range";
-  if (message.header.stamp <= last_) return "its stamp does not come after the last one";
-  return "";
+  const auto last = last_.find(frame);
+  const bool is_next = last == last_.end() || message.header.stamp > last->second;
+  return is_next ? "" : "its stamp does not come after the last one";
 }
 
 std::optional<Picture> SightingEar::read(const sensor_msgs::PointCloud& message,
@@ -80,8 +83,14 @@ std::optional<Picture> SightingEar::read(const sensor_msgs::PointCloud& message,
     refuse(error.what());
     return std::nullopt;
   }
-  last_ = message.header.stamp;
+  last_[withoutLeadingSlash(message.header.frame_id)] = message.header.stamp;
   return picture;
+}
+
+ros::Time SightingEar::last() const {
+  ros::Time newest;
+  for (const auto& [frame, stamp] : last_) newest = std::max(newest, stamp);
+  return newest;
 }
 
 void SightingEar::drop(const std::string& why) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,7 +37,7 @@ class SightingEar {
   bool listensTo(const std::string& topic) const;
 
   /// False for a message without a frame, or whose stamp is out of range or does not come after
-  /// that of the last one that was read.
+  /// that of the last one from this frame that was read: there may be several cameras.
   bool accept(const sensor_msgs::PointCloud& message);
 
   /// What an accepted message tells of known landmarks; nothing if it makes no sense.
@@ -51,11 +52,11 @@ class SightingEar {
 
   const LandmarkMap& known() const { return known_; }
 
-  /// Stamp of the last message that was read; zero before there is one.
-  const ros::Time& last() const { return last_; }
+  /// Stamp of the newest message that was read; zero before there is one.
+  ros::Time last() const;
 
   /// Time jumped back: what was heard is of another time.
-  void forget() { last_ = {}; }
+  void forget() { last_.clear(); }
 
  private:
   std::string faultOf(const sensor_msgs::PointCloud& message) const;
@@ -64,7 +65,7 @@ class SightingEar {
   LandmarkMap known_;
   Complain complain_;
   Heard heard_;
-  ros::Time last_;
+  std::map<std::string, ros::Time> last_;  // by frame
 };
 
 }  // namespace adaptive_localization

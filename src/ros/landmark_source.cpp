@@ -14,16 +14,18 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::uint32_t kQueue = 50;
+constexpr double kBack = 1.0;  // s: stamps that are so much older are of another time
 
 }  // namespace
 
 LandmarkSource::LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
                                const Odometry& odometry, const NodeOptions& options,
-                               LandmarkMap known, Callback callback)
+                               LandmarkMap known, Callback callback, JumpCallback on_jump)
     : tf_input_(tf_input),
       odometry_(odometry),
       options_(options),
       callback_(std::move(callback)),
+      on_jump_(std::move(on_jump)),
       mounts_(node, tf, options.base_frame_id, "Sensor"),
       ear_(options.landmarks, std::move(known),
            [this](const std::string& why) {
@@ -51,6 +53,7 @@ LandmarkSource::LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, Transf
 }
 
 void LandmarkSource::add(const sensor_msgs::PointCloud::ConstPtr& message) {
+  checkTime(message->header.stamp);
   if (!ear_.accept(*message)) return;
   const std::string frame = withoutLeadingSlash(message->header.frame_id);
   if (mounts_.lookFor(frame) == LaserMounts::Knowledge::kUnknown) {
@@ -58,6 +61,12 @@ void LandmarkSource::add(const sensor_msgs::PointCloud::ConstPtr& message) {
   }
   const auto held = tf_input_.hold();
   filter_.add(message);
+}
+
+void LandmarkSource::checkTime(const ros::Time& stamp) {
+  if (ear_.last().isZero() || stamp.isZero()) return;
+  const double step = stamp.toSec() - ear_.last().toSec();
+  if (step < -kBack) on_jump_(step);
 }
 
 void LandmarkSource::add(const BagMessage& message) {
@@ -75,19 +84,20 @@ void LandmarkSource::use(const sensor_msgs::PointCloud& message) {
   const auto frame = withoutLeadingSlash(message.header.frame_id);
   auto picture = ear_.read(message, mounts_.placeOf(frame));
   if (!picture) return;
-  newest_ = Placed{*T_odom_base, std::move(*picture)};
+  newest_[frame] = Placed{*T_odom_base, std::move(*picture)};
   callback_(stamp, *T_odom_base);
 }
 
 void LandmarkSource::observe(const Pose2& T_odom_base, Observations& observations) {
-  const auto newest = std::exchange(newest_, std::nullopt);
-  if (!newest) return;
-  tell(newest->picture, between(T_odom_base, newest->T_odom_base), observations.stamp,
-       observations.landmarks);
+  for (const auto& [frame, placed] : newest_) {
+    tell(placed.picture, between(T_odom_base, placed.T_odom_base), observations.stamp,
+         observations.landmarks);
+  }
+  newest_.clear();
 }
 
 void LandmarkSource::forget() {
-  newest_.reset();
+  newest_.clear();
   ear_.forget();
   filter_.clear();
 }

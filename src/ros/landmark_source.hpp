@@ -7,7 +7,9 @@
 #include <tf2_ros/message_filter.h>
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "../bag/bag_stream.hpp"
 #include "../bag/sighting_ear.hpp"
@@ -28,15 +30,18 @@ class LandmarkSource {
   /// Told when sightings came, with where the robot was.
   using Callback = std::function<void(const ros::Time& stamp, const Pose2& T_odom_base)>;
 
+  /// Told how far time jumped back, s, below 0; has to call forget() if it is believed.
+  using JumpCallback = std::function<void(double seconds)>;
+
   /// Throws std::invalid_argument where there is a topic, but no landmark is known.
   LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,
                  const Odometry& odometry, const NodeOptions& options, LandmarkMap known,
-                 Callback callback);
+                 Callback callback, JumpCallback on_jump);
 
   /// The same from a bag, if it is of the landmark_topic.
   void add(const BagMessage& message);
 
-  /// Adds what was sighted last, as seen from where the robot is by now, and forgets it.
+  /// Adds what each camera sighted last, as seen from where the robot is by now, and forgets it.
   void observe(const Pose2& T_odom_base, Observations& observations);
 
   const LandmarkMap& known() const { return ear_.known(); }
@@ -54,15 +59,17 @@ class LandmarkSource {
 
   void add(const sensor_msgs::PointCloud::ConstPtr& message);
   void use(const sensor_msgs::PointCloud& message);
+  void checkTime(const ros::Time& stamp);
 
   TransformInput& tf_input_;
   const Odometry& odometry_;
   const NodeOptions& options_;  // the node's, which may change
   Callback callback_;
+  JumpCallback on_jump_;
   LaserMounts mounts_;
   Complaints complaints_;
   SightingEar ear_;
-  std::optional<Placed> newest_;
+  std::map<std::string, Placed> newest_;  // by frame
   tf2_ros::MessageFilter<sensor_msgs::PointCloud> filter_;
   ros::Subscriber subscriber_;
 };

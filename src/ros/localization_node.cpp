@@ -33,11 +33,15 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           },
           [this](double seconds) { onTimeJump(seconds); }),
       headings_(node, tf_, odometry_, options_),
-      landmarks_(node, tf_, tf_input_, odometry_, options_,
-                 knownLandmarks(parameters_.read<LandmarkOptions>()),
-                 [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
-      sonars_(node, tf_, odometry_, options_,
-              [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); }),
+      landmarks_(
+          node, tf_, tf_input_, odometry_, options_,
+          knownLandmarks(parameters_.read<LandmarkOptions>()),
+          [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); },
+          [this](double seconds) { onOtherTimeJump(seconds); }),
+      sonars_(
+          node, tf_, odometry_, options_,
+          [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); },
+          [this](double seconds) { onOtherTimeJump(seconds); }),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(
           node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
       global_localization_(serve<std_srvs::Empty>(
@@ -204,6 +208,11 @@ void LocalizationNode::onTimeJump(double seconds) {
   last_scan_ = {};
   publisher_.forgetStamps();
   if (answer_) startAround(*answer_);
+}
+
+/// Scans tell the time where there are any.
+void LocalizationNode::onOtherTimeJump(double seconds) {
+  if (!scans_.hasTopics()) onTimeJump(seconds);
 }
 
 /// The robot may have been moved while time or odometry jumped, but most likely it was not.

@@ -12,6 +12,7 @@ namespace adaptive_localization {
 namespace {
 
 constexpr double kOld = 1.0;           // s, of a reading that nobody asked for
+constexpr double kBack = 1.0;          // s: stamps that are so much older are of another time
 constexpr std::uint32_t kQueue = 200;  // messages, on a topic and waiting for tf
 
 /// What came on a topic, of whatever type, as a bag holds it.
@@ -28,9 +29,10 @@ BagMessage toBagMessage(const std::string& topic, const topic_tools::ShapeShifte
 }  // namespace
 
 SonarSource::SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odometry& odometry,
-                         const NodeOptions& options, Callback callback)
+                         const NodeOptions& options, Callback callback, JumpCallback on_jump)
     : odometry_(odometry),
       callback_(std::move(callback)),
+      on_jump_(std::move(on_jump)),
       mounts_(node, tf, options.base_frame_id, "Sonar"),
       ear_(
           options.sonars, [this](const std::string& frame) { return mounts_.placeOf(frame); },
@@ -46,6 +48,7 @@ void SonarSource::add(const BagMessage& message) {
   auto round = ear_.hear(message);
   if (!round || round->readings.empty()) return;
   if (!leavesRoom(ros::Time(round->stamp))) return drop("its stamp is out of range");
+  if (round->stamp < last_ - kBack) on_jump_(round->stamp - last_);
   waiting_.push_back(std::move(*round));
   place();
   tell();

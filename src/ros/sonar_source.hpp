@@ -28,9 +28,12 @@ class SonarSource {
   /// Told when there is something new, with where the robot was.
   using Callback = std::function<void(const ros::Time& stamp, const Pose2& T_odom_base)>;
 
+  /// Told how far time jumped back, s, below 0; has to call forget() if it is believed.
+  using JumpCallback = std::function<void(double seconds)>;
+
   /// The options are the node's, which may change.
   SonarSource(ros::NodeHandle node, tf2_ros::Buffer& tf, const Odometry& odometry,
-              const NodeOptions& options, Callback callback);
+              const NodeOptions& options, Callback callback, JumpCallback on_jump);
 
   /// Adds what was heard by the stamp of the observations, from where the robot is by now, and
   /// forgets it.
@@ -57,6 +60,7 @@ class SonarSource {
 
   const Odometry& odometry_;
   Callback callback_;
+  JumpCallback on_jump_;
   LaserMounts mounts_;
   Complaints complaints_;
   SonarEar ear_;

@@ -61,6 +61,19 @@ TEST_F(SightingsHeard, AreAcceptedInOrder) {
   EXPECT_EQ(ear_.heard().dropped, 1);
 }
 
+TEST_F(SightingsHeard, AreOfSeveralCameras) {
+  const auto from = [&](const std::string& frame, double stamp) {
+    sensor_msgs::PointCloud seen = message(stamp, {5.0F});
+    seen.header.frame_id = frame;
+    return seen;
+  };
+  ASSERT_TRUE(read(from("left", 2.0)));
+  EXPECT_TRUE(ear_.accept(from("right", 2.0))) << "at the same time";
+  ASSERT_TRUE(read(from("right", 1.9)));
+  EXPECT_FALSE(ear_.accept(from("left", 2.0)));
+  EXPECT_DOUBLE_EQ(ear_.last().toSec(), 2.0) << "the newest";
+}
+
 TEST_F(SightingsHeard, AreNotAcceptedWithoutFrameOrFromTheEndOfTime) {
   sensor_msgs::PointCloud nowhere = message(1.0, {});
   nowhere.header.frame_id = "";
