@@ -22,10 +22,10 @@ void checkStamp(Readings& known, double stamp) {
   if (!std::isfinite(stamp)) reject("stamp", stamp, "a number of seconds");
   if (!known.empty() && stamp < known.back().stamp - kJump) known.clear();
   if (known.empty() || stamp > known.back().stamp) return;
-  std::ostringstream last;
-  last.precision(17);
-  last << "one after the last, " << known.back().stamp;
-  reject("stamp", stamp, last.str());
+  std::ostringstream text;
+  text.precision(17);
+  text << "stamp: got " << stamp << ", expected one after the last, " << known.back().stamp;
+  throw std::invalid_argument(text.str());
 }
 
 void checkReading(const std::string& what, double value, double deviation) {

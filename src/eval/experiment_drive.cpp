@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -70,7 +71,7 @@ void ExperimentDrive::putAtStart(const ExperimentCase& of_case) {
 }
 
 Pose2 ExperimentDrive::draw(const Spot& place) {
-  if (place.pose) return *place.pose;
+  if (place.pose) return checked(*place.pose);
   constexpr int kTries = 10000;
   const Eigen::Vector2d here(truth().x, truth().y);
   for (int i = 0; i < kTries; ++i) {
@@ -80,6 +81,17 @@ Pose2 ExperimentDrive::draw(const Spot& place) {
   }
   throw std::invalid_argument("no place where the robot can stand in the regions given for it, " +
                               std::to_string(place.farther_than) + " m or more from where it was");
+}
+
+/// A place where the robot cannot stand, nor within a step, is a mistake.
+const Pose2& ExperimentDrive::checked(const Pose2& pose) const {
+  constexpr double kNear = 0.5;  // m
+  const Eigen::Vector2d spot(pose.x, pose.y);
+  if ((free_space_->nearest(spot) - spot).norm() <= kNear) return pose;
+  std::ostringstream text;
+  text << "place of the robot: got " << pose.x << ", " << pose.y
+       << ", expected one where it can stand";
+  throw std::invalid_argument(text.str());
 }
 
 std::optional<Pose2> ExperimentDrive::draw(const WrongStart& told) {

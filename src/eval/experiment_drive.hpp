@@ -60,6 +60,7 @@ class ExperimentDrive {
 
   double time() const { return simulation_.time() + carried_; }
   void putAtStart(const ExperimentCase& of_case);
+  const Pose2& checked(const Pose2& pose) const;
   Pose2 draw(const Spot& place);
   std::optional<Pose2> draw(const WrongStart& told);
   BaseVelocity velocityUntil(const Pose2& T_odom_base) const;

@@ -56,6 +56,17 @@ TEST_F(Drive, StartsInTheRegionsAndHeadingsGiven) {
   }
 }
 
+TEST_F(Drive, RefusesPlacesWhereTheRobotCannotStand) {
+  for (const char* lines : {"duration: 1\nstart: [100, 100, 0]\n",
+                            "duration: 3\nevents: [{what: kidnap, at: 1, to: [100, 100, 0]}]\n"}) {
+    EXPECT_THAT([&] { drive(lines); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
+                    "place of the robot: got 100, 100, expected one where it can stand")))
+        << lines;
+  }
+  EXPECT_NO_THROW(drive("duration: 1\nstart: [0.1, 0.1, 0]\n")) << "a step beside";
+}
+
 TEST_F(Drive, IsInterruptedByKidnapsOfWhichOdometryKnowsNothing) {
   const auto scans = drive(
       "duration: 5\nsimulation: {drive: false, profile: ideal}\nstart: [1, 0.6, 0]\n"
