@@ -66,7 +66,7 @@ void LandmarkSource::add(const sensor_msgs::PointCloud::ConstPtr& message) {
 void LandmarkSource::checkTime(const ros::Time& stamp) {
   if (ear_.last().isZero() || stamp.isZero()) return;
   const double step = stamp.toSec() - ear_.last().toSec();
-  if (step < -kBack) on_jump_(step);
+  if (step < -kBack) on_jump_(stamp, step);
 }
 
 void LandmarkSource::add(const BagMessage& message) {

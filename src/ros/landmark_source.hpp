@@ -30,8 +30,9 @@ class LandmarkSource {
   /// Told when sightings came, with where the robot was.
   using Callback = std::function<void(const ros::Time& stamp, const Pose2& T_odom_base)>;
 
-  /// Told how far time jumped back, s, below 0; has to call forget() if it is believed.
-  using JumpCallback = std::function<void(double seconds)>;
+  /// Told a stamp that is of another time, so many seconds, below 0, after the last one; has to
+  /// call forget() if it is believed.
+  using JumpCallback = std::function<void(const ros::Time& stamp, double seconds)>;
 
   /// Throws std::invalid_argument where there is a topic, but no landmark is known.
   LandmarkSource(ros::NodeHandle node, tf2_ros::Buffer& tf, TransformInput& tf_input,

@@ -37,11 +37,11 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           node, tf_, tf_input_, odometry_, options_,
           knownLandmarks(parameters_.read<LandmarkOptions>()),
           [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); },
-          [this](double seconds) { onOtherTimeJump(seconds); }),
+          [this](const auto& stamp, double seconds) { onOtherTimeJump(stamp, seconds); }),
       sonars_(
           node, tf_, odometry_, options_,
           [this](const auto& stamp, const auto& pose) { onOtherSense(stamp, pose); },
-          [this](double seconds) { onOtherTimeJump(seconds); }),
+          [this](const auto& stamp, double seconds) { onOtherTimeJump(stamp, seconds); }),
       initial_pose_(subscribe<PoseWithCovarianceStamped>(
           node, "initialpose", 2, [this](const auto& message) { onInitialPose(*message); })),
       global_localization_(serve<std_srvs::Empty>(
@@ -210,9 +210,13 @@ void LocalizationNode::onTimeJump(double seconds) {
   if (answer_) startAround(*answer_);
 }
 
-/// Scans tell the time where there are any.
-void LocalizationNode::onOtherTimeJump(double seconds) {
-  if (!scans_.hasTopics()) onTimeJump(seconds);
+/// Scans tell the time where there are any. A stamp alone may be nonsense: odometry must be of that
+/// time, too.
+void LocalizationNode::onOtherTimeJump(const ros::Time& stamp, double seconds) {
+  constexpr double kApart = 1.0;  // s
+  if (scans_.hasTopics()) return;
+  const auto newest = odometry_.newest();
+  if (newest && newest->toSec() < stamp.toSec() + kApart) onTimeJump(seconds);
 }
 
 /// The robot may have been moved while time or odometry jumped, but most likely it was not.

@@ -68,7 +68,7 @@ class LocalizationNode {
   void localize(const Pose2& T_odom_base, Observations observations, const ros::Time& stamp,
                 const std::optional<ros::SteadyTime>& scan_arrival);
   void onTimeJump(double seconds);
-  void onOtherTimeJump(double seconds);
+  void onOtherTimeJump(const ros::Time& stamp, double seconds);
   void onInitialPose(const PoseWithCovarianceStamped& message);
   bool onGlobalLocalization();
   bool onNoMotionUpdate();

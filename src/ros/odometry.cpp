@@ -25,6 +25,14 @@ std::optional<Pose2> Odometry::at(const ros::Time& stamp, std::string* why) cons
   return std::nullopt;
 }
 
+std::optional<ros::Time> Odometry::newest() const {
+  try {
+    return tf_.lookupTransform(odom_frame_, base_frame_, ros::Time(0)).header.stamp;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 std::optional<Pose2> Odometry::motionSince(const ros::Time& stamp, std::string* why) const {
   const auto then = at(stamp, why);
   const auto now = at(ros::Time(0), why);

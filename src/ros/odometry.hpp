@@ -18,6 +18,9 @@ class Odometry {
   /// Nothing, and why, where tf cannot tell. A stamp of zero means the newest.
   std::optional<Pose2> at(const ros::Time& stamp, std::string* why = nullptr) const;
 
+  /// The stamp of the newest odometry; nothing where tf cannot tell.
+  std::optional<ros::Time> newest() const;
+
   /// How far the robot went between a stamp and the newest odometry; nothing where tf cannot tell.
   std::optional<Pose2> motionSince(const ros::Time& stamp, std::string* why = nullptr) const;
 

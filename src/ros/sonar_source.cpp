@@ -48,7 +48,7 @@ void SonarSource::add(const BagMessage& message) {
   auto round = ear_.hear(message);
   if (!round || round->readings.empty()) return;
   if (!leavesRoom(ros::Time(round->stamp))) return drop("its stamp is out of range");
-  if (round->stamp < last_ - kBack) on_jump_(round->stamp - last_);
+  if (round->stamp < last_ - kBack) on_jump_(ros::Time(round->stamp), round->stamp - last_);
   waiting_.push_back(std::move(*round));
   place();
   tell();
