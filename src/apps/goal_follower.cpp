@@ -15,8 +15,8 @@ constexpr auto kUsage = R"(usage: goal_follower [_PARAMETER:=VALUE ...]
 
 Drives a robot to goals on move_base_simple/goal by the transform from map to base alone, where
 there is no move_base: plans on topic map, commands on cmd_vel. Avoids nothing that the map does
-not have. Where it ends on the way, the robot is told to stand. Parameters: global_frame_id, base_frame_id, robot_radius, and the simulated driver's
-route_* (p3dx_simulator --help).
+not have. Where it ends on the way, the robot is told to stand. Parameters: global_frame_id,
+base_frame_id, robot_radius, and the simulated driver's route_* (p3dx_simulator --help).
 )";
 
 }  // namespace

@@ -7,7 +7,6 @@
 namespace adaptive_localization {
 namespace {
 
-constexpr double kBack = 1.0;      // s
 constexpr double kForward = 10.0;  // s; as far as tf remembers
 constexpr double kSpeed = 10.0;    // m/s; no robot indoors is faster
 constexpr double kSlack = 0.5;     // m; odometry that is fused with something else may be corrected
@@ -22,7 +21,7 @@ bool isAtOrigin(const Pose2& T_odom_base) {
 std::optional<double> StampWatch::jumpTo(const std::string& frame, const ros::Time& stamp) {
   const auto known = last_.find(frame);
   const double step = known == last_.end() ? 0.0 : stamp.toSec() - known->second.toSec();
-  const bool jumped = step < -kBack || step > kForward;
+  const bool jumped = step < -kTimeBack || step > kForward;
   if (jumped) last_.clear();  // it is one jump, though every laser sees it
   last_[frame] = stamp;
   return jumped ? std::optional<double>(step) : std::nullopt;

@@ -11,6 +11,9 @@
 
 namespace adaptive_localization {
 
+/// Stamps that are so much older than the last one, s, are of another time.
+constexpr double kTimeBack = 1.0;
+
 /// Finds jumps of time in the stamps of scans: a bag played again, a simulation started again, a
 /// pause. Lasers are told apart by frame, since the clocks of two drivers may disagree.
 class StampWatch {

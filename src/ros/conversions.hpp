@@ -31,7 +31,7 @@ sensor_msgs::LaserScan toMessage(const LaserScan& scan);
 
 /// Throws std::invalid_argument for a size, resolution or origin that makes no map.
 /// The origin is the corner of cell (0, 0), as the message says, or its centre, as some mappers
-/// think. The cells of a message that is moved are not copied.
+/// think.
 OccupancyGrid toGrid(const nav_msgs::OccupancyGrid& message, bool origin_is_cell_center = false);
 nav_msgs::OccupancyGrid toMessage(const OccupancyGrid& grid);
 

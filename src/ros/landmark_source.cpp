@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "callbacks.hpp"
+#include "continuity.hpp"
 #include "conversions.hpp"
 #include "core/background.hpp"
 
@@ -14,7 +15,6 @@ namespace adaptive_localization {
 namespace {
 
 constexpr std::uint32_t kQueue = 50;
-constexpr double kBack = 1.0;  // s: stamps that are so much older are of another time
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void LandmarkSource::add(const sensor_msgs::PointCloud::ConstPtr& message) {
 void LandmarkSource::checkTime(const ros::Time& stamp) {
   if (ear_.last().isZero() || stamp.isZero()) return;
   const double step = stamp.toSec() - ear_.last().toSec();
-  if (step < -kBack) on_jump_(stamp, step);
+  if (step < -kTimeBack) on_jump_(stamp, step);
 }
 
 void LandmarkSource::add(const BagMessage& message) {

@@ -115,10 +115,6 @@ bool LocalizationNode::onScan(const sensor_msgs::LaserScan& message, const Laser
   std::string why;
   const auto T_odom_base = odometry_.at(stamp, &why);
   if (!T_odom_base) throw std::invalid_argument(why);
-  const auto restart = tf_input_.restartBelow(options_.odom_frame_id);
-  if (restart && restart->contains(stamp)) {
-    throw std::invalid_argument("odometry was silent, and then started anew");
-  }
   const LaserScan laser_scan = believed(message);
   const double duration = durationOf(laser_scan);
   const auto velocity = duration > 0.0 ? odometry_.velocityDuring(stamp, duration) : BaseVelocity{};
@@ -164,6 +160,9 @@ void LocalizationNode::localize(const Pose2& T_odom_base, Observations observati
                                 const ros::Time& stamp,
                                 const std::optional<ros::SteadyTime>& scan_arrival) {
   const auto restart = tf_input_.restartBelow(options_.odom_frame_id);
+  if (restart && restart->contains(stamp)) {
+    throw std::invalid_argument("odometry was silent, and then started anew");
+  }
   if (!odometry_watch_.goesOn(stamp, T_odom_base, restart) && answer_) {
     ROS_WARN("Odometry jumped: starting anew around the last pose");
     startAround(*answer_);
@@ -213,10 +212,9 @@ void LocalizationNode::onTimeJump(double seconds) {
 /// Scans tell the time where there are any. A stamp alone may be nonsense: odometry must be of that
 /// time, too.
 void LocalizationNode::onOtherTimeJump(const ros::Time& stamp, double seconds) {
-  constexpr double kApart = 1.0;  // s
   if (scans_.hasTopics()) return;
   const auto newest = odometry_.newest();
-  if (newest && newest->toSec() < stamp.toSec() + kApart) onTimeJump(seconds);
+  if (newest && newest->toSec() < stamp.toSec() + kTimeBack) onTimeJump(seconds);
 }
 
 /// The robot may have been moved while time or odometry jumped, but most likely it was not.

@@ -7,12 +7,12 @@
 
 #include "../bag/stamps.hpp"
 #include "callbacks.hpp"
+#include "continuity.hpp"
 
 namespace adaptive_localization {
 namespace {
 
 constexpr double kOld = 1.0;           // s, of a reading that nobody asked for
-constexpr double kBack = 1.0;          // s: stamps that are so much older are of another time
 constexpr std::uint32_t kQueue = 200;  // messages, on a topic and waiting for tf
 
 /// What came on a topic, of whatever type, as a bag holds it.
@@ -48,7 +48,7 @@ void SonarSource::add(const BagMessage& message) {
   auto round = ear_.hear(message);
   if (!round || round->readings.empty()) return;
   if (!leavesRoom(ros::Time(round->stamp))) return drop("its stamp is out of range");
-  if (round->stamp < last_ - kBack) on_jump_(ros::Time(round->stamp), round->stamp - last_);
+  if (round->stamp < last_ - kTimeBack) on_jump_(ros::Time(round->stamp), round->stamp - last_);
   waiting_.push_back(std::move(*round));
   place();
   tell();
