@@ -14,8 +14,8 @@ namespace adaptive_localization {
 /// bent by it.
 class SweepWatch {
  public:
-  /// Whether it can be, by the longest of the last few times between scans in this frame. The first
-  /// scan is believed.
+  /// Whether it can be, by the longest but one of the last few times between scans in this frame:
+  /// one may be a pause. The first scan is believed.
   bool isPossible(const std::string& frame, const LaserScan& scan);
 
  private:

@@ -3,19 +3,16 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <QFile>
 #include <QImageReader>
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/whole_file.hpp"
+#include "map_image.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -79,16 +76,10 @@ Pose2 readOrigin(const YAML::Node& root) {
   return origin;
 }
 
-/// Opened by a handle: Qt would take the name in the locale's encoding.
-bool open(const std::string& name, QFile& file) {
-  std::FILE* const handle = std::fopen(name.c_str(), "rb");
-  return handle != nullptr && file.open(handle, QFile::ReadOnly, QFile::AutoCloseHandle);
-}
-
 YAML::Node readYaml(const std::string& yaml_file) {
   const std::string expected = "expected a YAML file with 'image: ...' and more";
   QFile file;
-  if (open(yaml_file, file) && !QImageReader::imageFormat(&file).isEmpty()) {
+  if (openFile(yaml_file, file) && !QImageReader::imageFormat(&file).isEmpty()) {
     throw std::invalid_argument("got an image, " + expected);
   }
   const YAML::Node root = YAML::LoadFile(yaml_file);
@@ -114,50 +105,6 @@ MapFile readMapFile(const std::string& yaml_file) {
          "a number in [0, occupied_thresh]");
   map.mode = readMode(root);
   return map;
-}
-
-QRgb greyAt(int index, const QImage& image) {
-  const int grey = index * 255 / std::max(1, image.colorCount() - 1);
-  return qRgb(grey, grey, grey);
-}
-
-/// The only colour of a picture that is transparent, if all others are greys in their order; else
-/// nothing.
-std::optional<int> transparentGrey(const QImage& image) {
-  std::optional<int> transparent;
-  for (int index = 0; index < image.colorCount(); ++index) {
-    const QRgb colour = image.color(index);
-    const bool is_grey = colour == greyAt(index, image);
-    if (!is_grey && (qAlpha(colour) > 0 || transparent)) return std::nullopt;
-    if (!is_grey) transparent = index;
-  }
-  return transparent;
-}
-
-/// A grey picture one of whose values is transparent comes as one with colours, that one black.
-QImage greyIfGrey(QImage image) {
-  const std::optional<int> transparent = transparentGrey(image);
-  if (!transparent) return image;
-  image.setColor(*transparent, greyAt(*transparent, image));
-  return image.convertToFormat(QImage::Format_Grayscale8);
-}
-
-/// 8 bits per channel: grey, or red, green and blue, with alpha where the image has it.
-QImage readImage(const std::string& name) {
-  using Reason = MapFileError::Reason;
-  QFile file;
-  if (!open(name, file)) {
-    throw MapFileError(Reason::kMissing, "image '" + name + "' cannot be opened");
-  }
-  QImageReader reader(&file);
-  const QImage image = greyIfGrey(reader.read());
-  if (image.isNull()) {
-    throw MapFileError(Reason::kImage, "image '" + name + "' is no image, expected PGM, PNG or " +
-                                           "the like: " + reader.errorString().toStdString());
-  }
-  if (image.format() == QImage::Format_Grayscale8) return image;
-  return image.convertToFormat(image.hasAlphaChannel() ? QImage::Format_RGBA8888
-                                                       : QImage::Format_RGB888);
 }
 
 /// One pixel's value as map_server gives it. `alpha` is 255 where the image has none.
@@ -233,7 +180,7 @@ auto readMap(const std::string& yaml_file, const Reader& read) {
 
 OccupancyGrid loadMap(const std::string& yaml_file) {
   return readMap(yaml_file, [&](const MapFile& map) {
-    const QImage image = readImage(besides(yaml_file, map.image));
+    const QImage image = readMapImage(besides(yaml_file, map.image));
     const Lattice lattice(image.width(), image.height(), map.resolution, map.origin);
     return OccupancyGrid::fromRows(lattice, ImageRows(image, map));
   });

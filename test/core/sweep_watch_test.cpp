@@ -50,6 +50,14 @@ TEST(SweepWatch, LasersAreToldApartByFrame) {
   }
 }
 
+TEST(SweepWatch, OnePauseDoesNotMakeLongSweepsPossible) {
+  SweepWatch watch;
+  for (int i = 0; i < 10; ++i) watch.isPossible("laser", scanOf(50.0 + kPeriod * i, 0.9));
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_FALSE(watch.isPossible("laser", scanOf(60.0 + kPeriod * i, 0.9))) << i;
+  }
+}
+
 TEST(SweepWatch, GoesOnWhenTimeJumpsBack) {
   SweepWatch watch;
   watch.isPossible("laser", scanOf(100.0, 0.0));

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "adaptive_localization/map/map_file_error.hpp"
 #include "adaptive_localization/map/occupancy_grid.hpp"
 
 namespace adaptive_localization {
-
-/// What is wrong with a map's files, naming the file, the key, the value and what was expected.
-class MapFileError : public std::invalid_argument {
- public:
-  enum class Reason { kMissing, kMetadata, kImage };
-
-  MapFileError(Reason reason, const std::string& what)
-      : std::invalid_argument(what), reason_(reason) {}
-
-  Reason reason() const { return reason_; }
-
- private:
-  Reason reason_;
-};
 
 /// Reads a map as map_server does: a YAML file (image, resolution, origin, negate, occupied_thresh,
 /// free_thresh, optional mode: trinary, scale or raw) and the image it names, relative to the YAML.
