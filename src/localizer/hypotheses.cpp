@@ -74,16 +74,6 @@ double Hypotheses::bestBesidesWord() const {
   return best;
 }
 
-double Hypotheses::evidenceFor(const Pose2& T_map_base) const {
-  constexpr double kNone = -std::numeric_limits<double>::infinity();
-  double here = kNone, elsewhere = kNone;
-  for (const Hypothesis& hypothesis : all_) {
-    double& best = areSamePlace(hypothesis.T_map_base, T_map_base) ? here : elsewhere;
-    best = std::max(best, hypothesis.log_odds - hypothesis.prior);
-  }
-  return here == kNone ? kNone : here - elsewhere;
-}
-
 double Hypotheses::refuted() const {
   double most = 0.0;
   for (const Hypothesis& hypothesis : all_) most = std::max(most, hypothesis.refuted);

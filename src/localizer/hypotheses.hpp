@@ -185,11 +185,6 @@ class Hypotheses {
   /// Whether the likeliest place is one that wheels slipped to.
   bool isBySlip() const { return !all_.empty() && all_.front().has_slipped; }
 
-  /// What scans and other senses have said for the place that a pose is in against the best of the
-  /// others, whatever was known before. Log odds; infinite where there is no other, and below where
-  /// the pose is in none.
-  double evidenceFor(const Pose2& T_map_base) const;
-
   /// What the kept place lost to scans that speak for others: most of the scan does not fit there,
   /// so that furniture is no excuse, or it fits another place twice as well. Log odds.
   double refuted() const;

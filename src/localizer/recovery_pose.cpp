@@ -25,39 +25,33 @@ double shareAt(double belief, const std::array<Point, N>& points) {
   return points.back().share;
 }
 
-/// How often a place that scans found, and that is one of several, is the right one, by the belief
-/// in it: odds know nothing of what a map does not show. These values and those below were fitted
+/// How often a place that is one of several is the right one, by the belief in it: odds know
+/// nothing of what a map does not show, nor of somebody who told a wrong place. Values were fitted
 /// to some hundred thousand scans, in worlds of places that look alike and on recordings with poor
 /// maps (calibration of probabilities: Niculescu-Mizil and Caruana 2005).
-double shareOfRightFinds(double belief) {
-  constexpr std::array<Point, 10> kShares{{{0.0, 0.0},
-                                           {0.03, 0.2},
-                                           {0.15, 0.25},
-                                           {0.2, 0.4},
-                                           {0.35, 0.5},
-                                           {0.6, 0.58},
-                                           {0.8, 0.66},
-                                           {0.9, 0.8},
-                                           {0.97, 0.93},
-                                           {1.0, 0.98}}};
-  return shareAt(belief, kShares);
-}
-
-/// The same of a place that somebody told, who may err. Where scans speak for another one, by so
-/// much log odds, most often he did, however much his word is worth.
-double shareOfRightTold(double belief, double evidence) {
-  constexpr std::array<Point, 9> kShares{{{0.0, 0.0},
-                                          {0.05, 0.15},
-                                          {0.1, 0.17},
-                                          {0.17, 0.55},
-                                          {0.82, 0.59},
-                                          {0.825, 0.81},
-                                          {0.985, 0.86},
-                                          {0.986, 0.9},
-                                          {1.0, 0.92}}};
-  constexpr double kAgainst = -0.5, kErred = 0.15;
-  const double share = shareAt(belief, kShares);
-  return evidence < kAgainst ? std::min(kErred, share) : share;
+double shareOfRightPlaces(double belief, bool is_by_scans) {
+  constexpr std::array<Point, 10> kByScans{{{0.0, 0.0},
+                                            {0.03, 0.2},
+                                            {0.15, 0.25},
+                                            {0.2, 0.4},
+                                            {0.35, 0.5},
+                                            {0.6, 0.58},
+                                            {0.8, 0.66},
+                                            {0.9, 0.8},
+                                            {0.97, 0.93},
+                                            {1.0, 0.98}}};
+  constexpr std::array<Point, 11> kTold{{{0.0, 0.0},
+                                         {0.05, 0.15},
+                                         {0.1, 0.17},
+                                         {0.17, 0.5},
+                                         {0.82, 0.55},
+                                         {0.825, 0.63},
+                                         {0.95, 0.65},
+                                         {0.985, 0.69},
+                                         {0.99, 0.73},
+                                         {0.999, 0.79},
+                                         {1.0, 0.8}}};
+  return is_by_scans ? shareAt(belief, kByScans) : shareAt(belief, kTold);
 }
 
 /// A tracked pose is right where the fit is moderate, too: people stand about, a map is old.
@@ -115,8 +109,7 @@ double Recovery::confidence(const Pose2& T_map_base, const Pose2& T_map_base_of_
     case Status::kTracking:
       return shareOfRightTracks(belief);
     case Status::kAmbiguous:
-      if (proof_.isByScans()) return shareOfRightFinds(belief);
-      return shareOfRightTold(belief, is_settled_ ? 0.0 : hypotheses_.evidenceFor(T_map_base));
+      return shareOfRightPlaces(belief, proof_.isByScans());
     default:
       return std::min(kLost, belief);
   }

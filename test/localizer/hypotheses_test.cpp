@@ -135,19 +135,6 @@ TEST(Hypotheses, WhereErrorsAreTheMapsManyScansSayNoMoreThanOne) {
   EXPECT_GT(logOddsOfTruth(0.12), 0.3 * logOddsOfTruth(0.06)) << "not below";
 }
 
-TEST(Hypotheses, EvidenceIsWhatScansSayWhateverWasKnownBefore) {
-  Hypotheses hypotheses(asymmetricWorld());
-  hypotheses.addKept(kWrong, TrackingOdds(true));
-  EXPECT_GT(hypotheses.evidenceFor(kWrong), 1e9) << "there is no other";
-  hypotheses.add(kTruth, 0.0);
-  EXPECT_EQ(hypotheses.evidenceFor(kTruth), 0.0);
-  EXPECT_EQ(hypotheses.evidenceFor(kWrong), 0.0);
-  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
-  EXPECT_GT(hypotheses.evidenceFor(kTruth), 3.0);
-  EXPECT_DOUBLE_EQ(hypotheses.evidenceFor(kWrong), -hypotheses.evidenceFor(kTruth));
-  EXPECT_LT(hypotheses.evidenceFor({5.0, 1.0, 0.0}), -1e9) << "none of them";
-}
-
 /// The field of a world with thick walls elsewhere, whose depth varies by more than 1 m.
 std::shared_ptr<const DistanceField> fieldWithRoughWalls(const OccupancyGrid& world) {
   const Lattice& inner = world.lattice();

@@ -1137,7 +1137,7 @@ TEST(Recovery, APlaceThatSlidIsSuspectUntilNoneIsFoundThatLooksAlike) {
     for (int i = 0; i < 3; ++i) {
       watched.see(truth, truth);
       ASSERT_EQ(watched.recovery.status(), slides ? Status::kAmbiguous : Status::kTracking);
-      ASSERT_LE(watched.recovery.confidence(truth, truth), slides ? 0.58 : 1.0);
+      ASSERT_LE(watched.recovery.confidence(truth, truth), slides ? 0.56 : 1.0);
     }
     watched.places().beginUpdate({}, kUnlimitedWork);
     watched.see(truth, truth);
