@@ -97,15 +97,18 @@ bool Recovery::seesCarrying(const Pose2& T_odom_base, const Scan& scan) {
 }
 
 /// All places that explain a scan, or else what other senses tell: samples of a circle, say, only
-/// where no place that is followed explains it. A sense that names no places, as sonars, has those
-/// that are followed. Nothing while they are being searched for.
+/// where no place that is followed explains it. Where a sense names no places, as sonars, or as one
+/// landmark if there is such a place, the answer is those that are followed. Nothing while they are
+/// being searched for.
 std::optional<std::vector<Place>> Recovery::placesFor(const Observations& observations) const {
   if (observations.scan.hits() > 0) return ground_.places->search(observations);
-  std::vector<Place> places = hypotheses_.explaining(observations, kExplained);
-  const bool is_new = places.empty();
-  if (senses_->namesPlaces(observations)) places.clear();
-  for (const Pose2& pose : senses_->explanations(observations, is_new)) {
+  const std::vector<Place> followed = hypotheses_.explaining(observations, kExplained);
+  std::vector<Place> places;
+  for (const Pose2& pose : senses_->explanations(observations, followed.empty())) {
     places.push_back({pose, errorAt(pose, observations)});
+  }
+  if (places.empty() || !senses_->namesPlaces(observations)) {
+    places.insert(places.end(), followed.begin(), followed.end());
   }
   std::stable_sort(places.begin(), places.end(), fitsBetter);
   return places;

@@ -108,7 +108,9 @@ class EveryCoreWithoutALaser : public EveryCore {
                                              map_);
   }
 
-  Localization sight(Pose2& truth, int steps) {
+  /// One post after the other, or all of them at once.
+  Localization sight(Pose2& truth, int steps, bool is_one_at_a_time = false) {
+    constexpr int kEach = 10;  // sightings
     Localization answer;
     for (int i = 0; i < steps; ++i) {
       const Pose2 motion{0.05, 0.0, 0.1};
@@ -117,7 +119,9 @@ class EveryCoreWithoutALaser : public EveryCore {
       Observations seen;
       seen.stamp = 0.1 * ++scans_;
       seen.landmarks.emplace();
-      for (const auto& [id, place] : posts_) {
+      for (std::size_t k = 0; k < posts_.size(); ++k) {
+        if (is_one_at_a_time && scans_ / kEach % posts_.size() != k) continue;
+        const auto& [id, place] = posts_[k];
         const Eigen::Vector2d point = inverse(truth) * place;
         seen.landmarks->push_back({id, point.norm(), std::atan2(point.y(), point.x()), 0.1, 0.05});
       }
@@ -153,6 +157,21 @@ TEST_P(EveryCoreWithoutALaser, IsFoundAgainAfterAKidnap) {
   answer = sight(truth, 60);
   EXPECT_EQ(answer.status, Status::kTracking);
   EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.15, 0.1));
+}
+
+/// One sighting names no place, but the one that was told explains it.
+TEST_P(EveryCoreWithoutALaser, TracksFromATruePoseThoughItSightsOnePostAtATime) {
+  Pose2 truth{3.0, 1.2, 0.5};
+  localizer_->reset(Gaussian2{truth, Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal()});
+  int tracking = 0;
+  constexpr int kSightings = 60;
+  for (int i = 0; i < kSightings; ++i) {
+    const Localization answer = sight(truth, 1, true);
+    tracking += answer.status == Status::kTracking ? 1 : 0;
+    EXPECT_NE(answer.status, Status::kLost) << i;
+    EXPECT_THAT(answer.T_map_base, PoseNear(truth, 0.3, 0.15)) << i;
+  }
+  EXPECT_GT(tracking, kSightings / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cores, EveryCoreWithoutALaser,
