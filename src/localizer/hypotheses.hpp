@@ -118,6 +118,10 @@ class Hypotheses {
   /// some slips on the way; to any if there are none.
   bool haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) const;
 
+  /// Whether the last scan fits where wheels can have slipped to, and far worse where the place
+  /// that was believed in is by odometry.
+  bool fitOnlySlip(const Pose2& T_map_to) const;
+
   /// Those that explain what other senses tell, once they are corrected by it: whose misfit is
   /// below the most, m.
   std::vector<Place> explaining(const Observations& observations, double most) const;
@@ -193,7 +197,8 @@ class Hypotheses {
   std::vector<Mode> modes() const;
 
  private:
-  static constexpr std::size_t kMostPlaces = 100;
+  // Found by searches; and with those where the core is, or the wheels slipped to.
+  static constexpr std::size_t kMostPlaces = 100, kMostOfAll = kMostPlaces + 20;
   static constexpr double kMargin = TrackingOdds::kMargin;
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can
   static constexpr double kFarBetter = 0.5;  // of the error

@@ -56,14 +56,15 @@ Place slippedFrom(const PlaceRefiner& refiner, const Pose2& ridden) {
 }  // namespace
 
 void Hypotheses::addCore(const Pose2& T_map_core, double log_odds) {
-  if (all_.empty() || all_.size() == kMostPlaces || knows(T_map_core)) return;
+  if (all_.empty() || all_.size() >= kMostOfAll || knows(T_map_core) || !isFinite(T_map_core))
+    return;
   const Hypothesis* from = nullptr;
   for (const Hypothesis& hypothesis : all_) {
     const bool is_likeliest = !from || hypothesis.log_odds > from->log_odds;
     const bool is_from = isSlip(between(hypothesis.T_map_base, T_map_core));
     if (hypothesis.isKnown() && is_likeliest && is_from) from = &hypothesis;
   }
-  if (!from) return add(T_map_core, log_odds);
+  if (!from) return all_.push_back({T_map_core, log_odds});
   Hypothesis slip = from->slippedTo(T_map_core);
   slip.log_odds = std::max(slip.log_odds, log_odds);
   all_.push_back(slip);
@@ -74,6 +75,14 @@ bool Hypotheses::haveSlipped(const Pose2& T_map_from, const Pose2& T_map_to) con
   if (all_.empty()) return is_slip;
   const auto place = placeAt(all_, T_map_to);
   return place != all_.end() && (place->has_slipped || is_slip);
+}
+
+bool Hypotheses::fitOnlySlip(const Pose2& T_map_to) const {
+  const auto slip = placeAt(all_, T_map_to);
+  if (slip == all_.end() || !slip->has_slipped || !slip->is_explained) return false;
+  return std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& known) {
+    return known.was_believed && !known.is_explained && slip->error < kFarBetter * known.error;
+  });
 }
 
 /// A place that was known and does not fit may be a slip away, which is likelier than any other. It

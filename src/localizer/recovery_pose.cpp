@@ -71,7 +71,8 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
 /// Where odometry has the robot is ruled out, as it is where the core's place is the only one, and
 /// the scan fits where the core has it, to where the wheels slipped.
 bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
-  const bool is_ruled_out = is_settled_ || shareOf(T_map_base_by_odometry) < kRuledOut;
+  const bool is_ruled_out = is_settled_ || shareOf(T_map_base_by_odometry) < kRuledOut ||
+                            hypotheses_.fitOnlySlip(T_map_base);
   return scan_fits_ && is_ruled_out && hypotheses_.haveSlipped(T_map_base_by_odometry, T_map_base);
 }
 

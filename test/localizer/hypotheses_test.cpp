@@ -778,6 +778,43 @@ TEST(Hypotheses, ACoreASlipAwayFromAKeptPlaceIsLikelierThanOneElsewhere) {
   EXPECT_LT(hypotheses.modes().back().mass, 1e-5);
 }
 
+/// As in an aisle, every place of which looks like a hundred others.
+TEST(Hypotheses, WhereWheelsSlippedToThereIsRoomHoweverManyPlacesWereFound) {
+  const Pose2 truth = kTruth * Pose2{0.0, 0.0, -0.6};
+  for (const bool is_core_there : {true, false}) {
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.addKept(kTruth, tracked(1.0));  // 12 nats
+    hypotheses.addFound(placesOfGrid(150), 0.0);
+    ASSERT_EQ(hypotheses.modes().size(), 100U) << "no more of them";
+    if (is_core_there) hypotheses.addCore(truth, 0.0);
+    EXPECT_EQ(hypotheses.knows(truth), is_core_there);
+    hypotheses.weigh(seenAt(truth), News{}, kUsual);
+    EXPECT_TRUE(hypotheses.knows(truth));
+  }
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.addKept(kTruth, tracked(1.0));
+  for (int i = 0; i < 200; ++i) hypotheses.addCore({100.0 + i, 0.0, 0.0}, 0.0);
+  EXPECT_EQ(hypotheses.modes().size(), 120U) << "there is an end to it";
+}
+
+/// Then odds that were earned may speak for the known place for long: what looks as if something
+/// was moved rules it out little by little.
+TEST(Hypotheses, TellThatOnlyASlipFits) {
+  const Pose2 truth = kTruth * Pose2{0.0, 0.0, -0.6}, off = kTruth * Pose2{0.0, 0.0, 0.6};
+  Hypotheses hypotheses(asymmetricWorld());
+  EXPECT_FALSE(hypotheses.fitOnlySlip(truth)) << "there is none";
+  hypotheses.addKept(kTruth, tracked(1.0));
+  hypotheses.addCore(truth, 0.0);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+  EXPECT_FALSE(hypotheses.fitOnlySlip(truth)) << "it does not";
+  hypotheses.weigh(seenAt(truth), News{0.01, 0.01}, kUsual);
+  EXPECT_TRUE(hypotheses.fitOnlySlip(truth));
+  EXPECT_FALSE(hypotheses.fitOnlySlip(kTruth)) << "nobody slipped there";
+  EXPECT_FALSE(hypotheses.fitOnlySlip(off));
+  hypotheses.weigh(seenAt(kWrong), News{0.01, 0.01}, kUsual);
+  EXPECT_FALSE(hypotheses.fitOnlySlip(truth)) << "nothing fits";
+}
+
 /// Some hits that are off the walls are a small error of all beams.
 TEST(Hypotheses, ASlipIsLookedForWhereFewBeamsHit) {
   const Pose2 truth{1.5, 3.2, kPi};  // before a wall, with a laser that sees little more
