@@ -26,9 +26,11 @@ std::unique_ptr<Localizer> makeLocalizer(const ExperimentSite& site, const Exper
   return std::make_unique<Localizer>(parameters, site.ground);
 }
 
-Prior priorOf(const ExperimentCase& of_case, const Pose2& told) {
+/// What is told of the start is moved along odometry, which begins there, to where the first scan
+/// was taken.
+Prior priorOf(const ExperimentCase& of_case, const Pose2& told, const Pose2& T_odom_base) {
   if (!of_case.is_start_known) return Anywhere{};
-  return StartOptions().around(told);
+  return StartOptions().around(told * T_odom_base);
 }
 
 /// Of the particles from their mean, on average, m.
@@ -102,10 +104,11 @@ ExperimentResult runExperiment(const ExperimentSite& site, const ExperimentCase&
   for (const Pose2& mount : drive.laserMounts()) mounts.push_back(LaserMount::level(mount));
   ExperimentJudge judge(of_case);
   judge.begin(startOf(of_case), 0.0, drive.truth());
-  const Prior prior = priorOf(of_case, drive.told());
+  auto seen = drive.next();
+  const Prior prior = priorOf(of_case, drive.told(), seen ? seen->T_odom_base : Pose2{});
   localizer->reset(prior);
   auto bound = makeBound(site, of_case, prior);
-  while (const auto seen = drive.next()) {
+  for (; seen; seen = drive.next()) {
     if (seen->is_lifted) judge.lift();
     if (seen->put_down) judge.begin(Trial::Kind::kKidnap, *seen->put_down, drive.truth());
     const LaserMount mount = mounts.empty() ? LaserMount{} : mounts[seen->laser];

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "eval/experiment_loader.hpp"
+#include "toy_experiment.hpp"
 
 namespace adaptive_localization {
 namespace {
@@ -38,6 +39,21 @@ struct Arena {
 };
 
 }  // namespace
+
+/// With a scan each two seconds the robot has driven most of a metre before the first. What is told
+/// of the start is moved along with it.
+TEST(ExperimentRun, ARobotThatIsToldItsStartIsThereAtTheFirstScan) {
+  const ToyExperiment toy;
+  const Experiment experiment =
+      toy.load("start_known: true\nduration: 3\nsimulation: {scan_rate: 0.5}\n");
+  const ExperimentCase& of_case = experiment.cases.front();
+  const ExperimentSite site = loadSite(of_case);
+  for (int seed = 1; seed <= 10; ++seed) {
+    const auto result = runExperiment(site, of_case, of_case.cores.front(), seed);
+    EXPECT_EQ(result.scans, 1);
+    EXPECT_LT(result.max_m, 0.1) << seed;
+  }
+}
 
 /// People walk beside the robot in a narrow maze: for 20 of each 25 s a third of the laser sees
 /// them and not the corridor's end. These seeds once slid along the corridor and said tracking, 1 m
@@ -75,22 +91,27 @@ TEST(ExperimentRun, ARobotWithADepthCameraKeepsThePlaceThatItWasTold) {
   }
 }
 
-/// Along an aisle nothing shows that the wheels slipped, by 0.6 m. At its end all aisles look
-/// alike, and with this seed the pose once left for another one, 12.8 m away.
+/// Along an aisle nothing shows that the wheels slipped, by 0.8 m with the one seed, and at its end
+/// all aisles look alike; with the other one, a place that wheels cannot have slipped to was once
+/// believed in, 3.2 m away.
 TEST(ExperimentRun, ARobotWhoseWheelsSlipInAnAisleStaysInIt) {
-  const ExperimentResult result = Arena("slips.yaml", "LDS-01, slips, warehouse").run(2);
-  EXPECT_EQ(result.silently_wrong, 0);
-  EXPECT_LT(result.max_m, 1.0);
-  EXPECT_GT(result.max_m, 0.4) << "or the wheels did not slip";
+  const ExperimentResult in_aisle = Arena("slips.yaml", "8 m, slips, warehouse").run(2);
+  EXPECT_GT(in_aisle.max_m, 0.4) << "or the wheels did not slip";
+  const ExperimentResult in_turns = Arena("slips.yaml", "LDS-01, slips much, warehouse").run(5);
+  for (const ExperimentResult& result : {in_aisle, in_turns}) {
+    EXPECT_EQ(result.silently_wrong, 0);
+    EXPECT_LT(result.max_m, 1.0);
+  }
 }
 
 /// Where wheels slip by up to a radian for some scans on end, and what odometry has of it fits
 /// nowhere near: with these seeds a core that was right was taken elsewhere, up to 32 m, or the
-/// pose rode on the odometry, 9 m.
+/// pose rode on the odometry, or on the place that was known, up to 9 m.
 TEST(ExperimentRun, ARobotWhoseWheelsSlipOnEndIsWhereItsCoreHasIt) {
   for (const auto& [label, seed] : {std::pair("LDS-01, slips much, office", 12),
                                     {"8 m, slips much, office", 10},
                                     {"8 m, slips much, corridor", 2},
+                                    {"8 m, slips much, hall", 2},
                                     {"8 m, slips much, hall", 3}}) {
     const ExperimentResult result = Arena("slips.yaml", label).run(seed);
     EXPECT_LT(result.max_m, 0.5) << label;
