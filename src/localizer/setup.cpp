@@ -8,6 +8,7 @@
 
 #include "localizer/former_options.hpp"
 #include "match/scan_matcher.hpp"
+#include "observation/landmark_model.hpp"
 #include "particle/sample_size.hpp"
 #include "ser/places.hpp"
 
@@ -62,6 +63,14 @@ void check(const ScanOptions& scan) {
                               toText(scan.laser_max_range) + "'");
 }
 
+/// Reflectors are looked for among the landmarks.
+void check(const ScanOptions& scan, const LandmarkOptions& landmarks) {
+  if (scan.reflector_intensity <= 0.0 || !landmarks.landmark_map.empty()) return;
+  throw std::invalid_argument("option 'reflector_intensity': got '" +
+                              toText(scan.reflector_intensity) +
+                              "' without a landmark_map, expected both");
+}
+
 }  // namespace
 
 Setup SetupReader::read(Parameters parameters) {
@@ -80,6 +89,7 @@ Setup SetupReader::read(Parameters parameters) {
   setup.options = parameters.read<LocalizerOptions>();
   setup.scan = parameters.read<ScanOptions>();
   check(setup.scan);
+  check(setup.scan, parameters.read<LandmarkOptions>());
   setup.confidence = parameters.read<ConfidenceOptions>();
   setup.compass = parameters.read<CompassOptions>();
   parameters.read<MatchOptions>();                        // they are known, whoever needs them

@@ -50,6 +50,8 @@ TEST(LocalizerOptions, AreRefusedByName) {
               HasSubstr("min_particles"));
   EXPECT_THAT(complaint(parametersWith({{"laser_min_range", 5.0}, {"laser_max_range", 2.0}})),
               AllOf(HasSubstr("'laser_min_range': got '5'"), HasSubstr("laser_max_range")));
+  EXPECT_THAT(complaint(parametersWith({{"reflector_intensity", 120.0}})),
+              HasSubstr("'reflector_intensity': got '120' without a landmark_map"));
 }
 
 /// amcl's defaults are other ones: what is right there must not be refused for ours.

@@ -102,6 +102,14 @@ class LaunchFiles(unittest.TestCase):
                 programs = {n.package + "/" + n.type for n in config.nodes}
                 self.assertEqual(programs, always | of_driver | of_laser, (driver, laser))
 
+    def test_p3dx_refuses_drivers_and_lasers_that_it_does_not_know(self):
+        for argument, known in [("driver:=p2oss", "['p2os', 'rosaria', 'none']"),
+                                ("laser:=lms", "['sicklms', 'rosaria', 'none']")]:
+            with self.assertRaises(roslaunch.RLException) as refused:
+                load("p3dx", argument)
+            self.assertIn("'" + argument.split(":=")[1] + "' is not in list", str(refused.exception))
+            self.assertIn(known, str(refused.exception))
+
     def test_p3dx_passes_the_ports_and_the_topic(self):
         config = load("p3dx", "driver:=p2os", "laser:=sicklms", "map_file:=/m.yaml", "filter:=kld")
         self.assertEqual(self.node(config, "map_publisher").args, "'/m.yaml'")
