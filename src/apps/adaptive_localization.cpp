@@ -72,7 +72,10 @@ int main(int argc, char** argv) {
                         arguments[0] == "--run-from-bag" &&
                         (arguments.size() == 2 || arguments[2] == "--global-localization");
   if (!arguments.empty() && !from_bag) {
-    std::cerr << kUsage;
+    std::cerr << "adaptive_localization: got '" << arguments.front() << "' with "
+              << arguments.size() - 1
+              << " more, expected no argument, or --run-from-bag BAG [--global-localization]\n\n"
+              << kUsage;
     return EXIT_FAILURE;
   }
   std::optional<adaptive_localization::BagStream> bag;

@@ -73,7 +73,7 @@ void draw(const DrawCommand& command) {
   OccupancyGrid map =
       is_map ? loadMap(source)
              : rasterize(loadFloorPlan(source), toNumber("RESOLUTION", command.words[1], kPositive,
-                                                         "a number above 0, in m"));
+                                                         "a number from 1e-06 to 1e+06, in m"));
   saveMap(spoil(std::move(map), command.spoils, static_cast<std::uint64_t>(command.spoil_seed)),
           base);
 }

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   }
   ros::init(argc, argv, "map_publisher");
   if (arguments.size() != 1) {
-    ROS_FATAL("usage: map_publisher MAP.yaml");
+    ROS_FATAL("got %zu arguments, usage: map_publisher MAP.yaml", arguments.size());
     return EXIT_FAILURE;
   }
   return adaptive_localization::runNode([&](const ros::NodeHandle& node) {

@@ -34,12 +34,12 @@ template <class T>
 T require(const YAML::Node& root, const std::string& key, const std::string& expected) {
   const YAML::Node node = root[key];
   if (!node) throw std::invalid_argument("'" + key + "' is missing, expected " + expected);
-  T value{};
-  if (!YAML::convert<T>::decode(node, value)) {
+  try {
+    return node.as<T>();
+  } catch (const YAML::BadConversion&) {
     throw std::invalid_argument("'" + key + "': got '" + YAML::Dump(node) + "', expected " +
                                 expected);
   }
-  return value;
 }
 
 void expect(bool holds, const YAML::Node& root, const std::string& key,

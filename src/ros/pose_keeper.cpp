@@ -14,6 +14,11 @@ namespace adaptive_localization {
 PoseKeeper::PoseKeeper(ParameterWriter& parameters, double rate, std::string file)
     : parameters_(parameters), rate_(rate), file_(std::move(file)) {}
 
+void PoseKeeper::setRate(double rate) {
+  rate_ = rate;
+  if (rate_ <= 0.0) pose_.reset();
+}
+
 void PoseKeeper::keep(const Gaussian2& pose, const ros::Time& stamp) {
   if (rate_ <= 0.0 || !isFinite(pose.mean) || !pose.covariance.allFinite()) return;
   pose_ = pose;

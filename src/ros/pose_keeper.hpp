@@ -18,7 +18,8 @@ class PoseKeeper {
   /// `rate` in Hz; not above 0: keeps nothing. `file`: written too, unless empty.
   PoseKeeper(ParameterWriter& parameters, double rate, std::string file);
 
-  void setRate(double rate) { rate_ = rate; }
+  /// Not above 0: forgets the last pose, which is old by the time the node ends.
+  void setRate(double rate);
 
   /// Takes a new pose and writes it when it is time.
   void keep(const Gaussian2& pose, const ros::Time& stamp);

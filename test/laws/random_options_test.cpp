@@ -7,6 +7,7 @@
 
 #include "adaptive_localization/localizer/localizer.hpp"
 #include "support/pose_matchers.hpp"
+#include "support/temp_folder.hpp"
 #include "support/toy_world.hpp"
 
 namespace adaptive_localization {
@@ -47,6 +48,13 @@ std::shared_ptr<const OccupancyGrid> smallWorld() {
                                     "####################"},
                                    0.25, {-1.0, 2.0, 0.3}, 2);
   return map;
+}
+
+/// Reflectors, which any intensity may be, are looked for among them.
+std::string landmarkFile() {
+  static const TempFolder folder;
+  static const std::string file = folder.write("posts.yaml", "landmarks: [{id: 0, at: [1.0, 4.0]}]\n");
+  return file;
 }
 
 /// Log-uniform over the range, its ends and 0 among the values now and then.
@@ -117,6 +125,7 @@ Parameters randomParameters(const Case& which, Rng& rng) {
   order(options, values);
   values.erase("preset");
   values["ekf_landmarks"] = std::string("hits");  // lines need a plan
+  values["landmark_map"] = landmarkFile();
   if (values.count("swarm_ranges")) values["swarm_ranges"] = std::string("cast");
   for (const auto& [key, value] : values) parameters.set(key, value);
   return parameters;

@@ -188,6 +188,7 @@ TEST_F(MapIo, ErrorsNameFileKeyValueAndExpectation) {
   EXPECT_THAT(errorOf(with("resolution", "fine")), HasSubstr("'resolution': got 'fine'"));
   EXPECT_THAT(errorOf(with("origin", "[0, .nan, 0]")), HasSubstr("'origin': got '[0, .nan, 0]'"));
   EXPECT_THAT(errorOf(with("origin", "[0, 0]")), HasSubstr("three finite numbers"));
+  EXPECT_THAT(errorOf(with("origin", "[0, a, 0]")), HasSubstr("'origin': got '[0, a, 0]'"));
   EXPECT_THAT(errorOf(with("negate", "2")), HasSubstr("'negate': got '2', expected 0 or 1"));
   EXPECT_THAT(errorOf(with("free_thresh", "0.7")), HasSubstr("[0, occupied_thresh]"));
   EXPECT_THAT(errorOf(with("occupied_thresh", "65")), HasSubstr("'occupied_thresh': got '65'"));

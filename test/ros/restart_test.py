@@ -8,6 +8,7 @@ import sys
 import time
 import unittest
 
+import dynamic_reconfigure.client
 import rospkg
 import rospy
 import rostest
@@ -110,6 +111,17 @@ class Restart(unittest.TestCase):
         self.travel(2.0)
         self.settle()
         self.assert_near(self.poses[-1], 0.25)
+
+    def test_told_to_keep_no_pose_any_more_it_keeps_no_old_one_as_it_ends(self):
+        process = self.start(save_pose_rate=0.001, **START)
+        self.travel(1.0)
+        client = dynamic_reconfigure.client.Client("adaptive_localization", timeout=AT_LAST)
+        self.addCleanup(client.close)
+        client.update_configuration({"save_pose_rate": 0.0})
+        self.travel(2.0)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(AT_LAST), 0)
+        self.assertEqual(self.kept(), list(START.values()))
 
     def test_killed_it_goes_on_from_the_pose_kept_last(self):
         rate = 0.5

@@ -166,6 +166,7 @@ class RunFromBag(unittest.TestCase):
         for arguments in [["foo"], ["--run-from-bag"], ["--run-from-bag", "a", "--global"]]:
             code, output = self.run_node(*arguments)
             self.assertEqual(code, 1)
+            self.assertIn("got '%s' with %d more, expected" % (arguments[0], len(arguments) - 1), output)
             self.assertIn("usage: adaptive_localization", output)
 
 

@@ -257,6 +257,16 @@ class Summarize(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("nosuch.jsonl", errors)
 
+    def test_refuses_keys_that_are_none_and_files_without_a_result(self):
+        path = pathlib.Path(self.write([dict(run(1), case=["a"])]))
+        code, _, errors = self.call(str(path))
+        self.assertEqual(code, 1)
+        self.assertIn("runs.jsonl', line 1: no result", errors)
+        path.write_text("")
+        code, _, errors = self.call(str(path))
+        self.assertEqual(code, 1)
+        self.assertIn("runs.jsonl': no result in there", errors)
+
     def test_leaves_out_a_line_that_was_cut_off(self):
         path = pathlib.Path(self.write(ten_runs()))
         path.write_text(path.read_text()[:-5])
