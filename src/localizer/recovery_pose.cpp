@@ -68,9 +68,9 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
   return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
-/// The scan fits where the core has the robot, to where the wheels slipped, and where odometry has it
-/// is ruled out: by the odds, as the core's place is the only one, or as this scan fits far worse
-/// there. Odds that were earned would hold the pose for metres.
+/// The scan fits where the core has the robot, to where the wheels slipped, and where odometry has
+/// it is ruled out: by the odds, as the core's place is the only one, or as this scan fits far
+/// worse there. Odds that were earned would hold the pose for metres.
 bool Recovery::hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const {
   const bool is_ruled_out = is_settled_ || shareOf(T_map_base_by_odometry) < kRuledOut ||
                             hypotheses_.fitOnlySlip(T_map_base);
