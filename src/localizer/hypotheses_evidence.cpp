@@ -154,7 +154,7 @@ void Hypotheses::weigh(const Observations& observations, const News& news, doubl
   choose(news.share);
   is_seen ? align(refiner, usual, true) : correctBySenses(observations);
   for (const Hypothesis& other : led_to_) {
-    if (all_.size() >= kMostOfAll) break;
+    if (all_.size() >= kMostPlaces) break;
     all_.push_back(other);
     least_error_ = std::min(least_error_, other.error);
   }
