@@ -197,7 +197,7 @@ class Hypotheses {
   std::vector<Mode> modes() const;
 
  private:
-  // But for those where the core is or was, and with them.
+  // Of searches and alignments; and of all, as where the core is there is room beyond that.
   static constexpr std::size_t kMostPlaces = 100, kMostOfAll = kMostPlaces + 20;
   static constexpr double kMargin = TrackingOdds::kMargin;
   static constexpr double kGoodFit = 0.05;  // m, of the best place, at which a scan says all it can

@@ -53,7 +53,8 @@ std::shared_ptr<const OccupancyGrid> smallWorld() {
 /// Reflectors, which any intensity may be, are looked for among them.
 std::string landmarkFile() {
   static const TempFolder folder;
-  static const std::string file = folder.write("posts.yaml", "landmarks: [{id: 0, at: [1.0, 4.0]}]\n");
+  static const std::string file =
+      folder.write("posts.yaml", "landmarks: [{id: 0, at: [1.0, 4.0]}]\n");
   return file;
 }
 
