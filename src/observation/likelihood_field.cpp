@@ -7,10 +7,14 @@
 #include <utility>
 
 #include "core/pose_bins.hpp"
+#include "missed_walls.hpp"
 #include "score_field.hpp"
 
 namespace adaptive_localization {
 namespace {
+
+/// Of more particles each gets too few rays, and they take too long.
+constexpr Eigen::Index kMostForRays = 20000;
 
 /// amcl's test that the cloud is compact enough for skipping beams: within half a metre of its
 /// mean.
@@ -97,6 +101,12 @@ Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) co
   return kept;
 }
 
+/// Of a beam that sees nothing where the map has a wall.
+double LikelihoodField::logOfMiss() const {
+  constexpr double kLeast = 0.01;  // glass, or a wall that is gone, is never out of the question
+  return std::log(std::max(kLeast, options_.laser_z_max));
+}
+
 double LikelihoodField::score(const Observations& observations, const Particles& particles,
                               Eigen::Ref<Eigen::ArrayXd> log_likelihood) const {
   std::optional<Scan> thinner;
@@ -113,9 +123,13 @@ double LikelihoodField::score(const Observations& observations, const Particles&
     log_likelihood += sums.log1p();
     return 1.0;
   }
-  const double independent =
-      form_ == Form::kSum ? hits : std::min<double>(hits, options_.effective_beams);
-  log_likelihood += sums * (independent / hits);
+  double beams = hits;
+  if (form_ == Form::kTempered && isMostlyOpen(scan) && particles.size() <= kMostForRays) {
+    sums += logOfMiss() * missedWalls(scan, particles, *field_);
+    beams += static_cast<double>(scan.no_return_bearing.size());
+  }
+  const double independent = form_ == Form::kSum ? hits : std::min(beams, options_.effective_beams);
+  log_likelihood += sums * (independent / beams);
   return independent;
 }
 

@@ -15,7 +15,7 @@ class ScoreField;
 ///
 ///     p(d) = z_hit exp(-d^2 / (2 sigma_hit^2)) + z_rand / max_range
 ///
-/// d at most laser_likelihood_max_dist. No-returns tell nothing. What a scan of B hits is worth:
+/// d at most laser_likelihood_max_dist. What a scan of B hits is worth:
 ///
 ///     likelihood_field         sum_i log p_i * min(1, effective_beams / B)      (our default)
 ///     likelihood_field_prob    sum_i log p_i over the beams not skipped         (amcl)
@@ -23,6 +23,12 @@ class ScoreField;
 ///
 /// Where the particles are fewer than 30 per bin of half a metre and 10 degrees, none may be within
 /// sigma_hit of the truth; sigma_hit is then at least laser_sigma_sparse.
+///
+/// No-returns tell nothing, but where they are most of the beams. There the few hits may be of
+/// people, or stray, and a pose at which they happen to lie on walls is as likely as the next one,
+/// unless the beams beside them should have met these walls as well. So likelihood_field then takes
+/// all beams together, B counts the no-returns too, and each of them has p = z_max where the map
+/// has a wall well within the laser's range, and else 1 (missedWalls()).
 ///
 /// On a map with thick walls likelihood_field measures from their faces or their middles, as scans
 /// tell (ThickWallsField).
@@ -47,6 +53,7 @@ class LikelihoodField : public ObservationModel {
     std::unique_ptr<ScoreField> dense, sparse;
   };
 
+  double logOfMiss() const;
   double likelihood(double distance, double max_range, double sigma) const;
   std::unique_ptr<ScoreField> fieldOf(double max_range, bool is_sparse) const;
   const ScoreField& fieldFor(double max_range, const Particles& particles) const;

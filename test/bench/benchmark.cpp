@@ -11,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "map/ray_caster.hpp"
 #include "measure.hpp"
+#include "observation/missed_walls.hpp"
 #include "plain_field.hpp"
 #include "support/resident_memory.hpp"
 #include "toy_building.hpp"
@@ -53,6 +54,17 @@ void score(benchmark::State& state, const std::string& name, int particles, int 
     benchmark::DoNotOptimize(log_likelihood.data());
   }
   countItems(state, static_cast<std::int64_t>(particles) * beams);
+}
+
+/// What is added where most beams see nothing: no-returns are followed to where walls are.
+void missWalls(benchmark::State& state, int particles) {
+  const auto field = contextFor(building()).ground.field;
+  Scan scan;
+  scan.max_range = 8.0;
+  scan.no_return_bearing = Eigen::ArrayXf::LinSpaced(180, -1.57F, 1.57F);
+  const Particles cloud = spread(Spread::kTracking, particles, building());
+  for (auto _ : state) benchmark::DoNotOptimize(missedWalls(scan, cloud, *field));
+  countItems(state, particles);
 }
 
 void resample(benchmark::State& state, int count) {
@@ -159,6 +171,10 @@ void registerCosts() {
 }
 
 void registerOthers() {
+  for (const int particles : {500, 4000, 20000}) {
+    benchmark::RegisterBenchmark(("missed_walls/" + std::to_string(particles)).c_str(), missWalls,
+                                 particles);
+  }
   for (const int count : {1000, 10000, 50000, 100000, 1000000}) {
     benchmark::RegisterBenchmark(("resample/" + std::to_string(count)).c_str(), resample, count);
   }

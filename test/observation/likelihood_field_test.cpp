@@ -76,6 +76,55 @@ TEST(LikelihoodField, IsBlunterWhereParticlesAreSparse) {
               1e-3);
 }
 
+/// The hit of hitBeforeWall(), and this many beams to both sides of the lane that saw nothing, and
+/// ahead, where the wall is.
+Observations openBeforeWall(int aside, int ahead) {
+  Observations seen = hitBeforeWall(0);
+  seen.scan.no_return_bearing =
+      Eigen::ArrayXf::Constant(aside + ahead, static_cast<float>(kPi / 2));
+  seen.scan.no_return_bearing.head(ahead) = 0.0F;
+  return seen;
+}
+
+TEST(LikelihoodField, CountsNoReturnsWhereTheyAreMostBeams) {
+  ToyModelOptions options = modelOptions("likelihood_field");
+  options.laser_z_max = 0.1;
+  const double hit = std::log(fieldLikelihood(0.0)), miss = std::log(0.1);
+  const auto score = [&](int aside, int ahead) {
+    return scoreAt(options, wall(), openBeforeWall(aside, ahead), kInLane);
+  };
+  EXPECT_NEAR(score(0, 1), hit, 1e-4);  // as many as hits
+  EXPECT_NEAR(score(0, 2), hit + 2 * miss, 1e-4);
+  EXPECT_NEAR(score(5, 1), hit + miss, 1e-4);
+  EXPECT_NEAR(score(11, 12), (hit + 12 * miss) * 12 / 24, 1e-4);  // tempered together
+  options.laser_z_max = 0.0;
+  EXPECT_NEAR(score(0, 2), hit + 2 * std::log(0.01), 1e-4);
+  Particles particles(1);
+  EXPECT_EQ(scoresOf(options, wall(), openBeforeWall(3, 4), particles).beams, 8.0);
+}
+
+TEST(LikelihoodField, LeavesNoReturnsToOthersInAmclsForms) {
+  for (const char* type : {"likelihood_field_prob", "likelihood_field_cubed"}) {
+    const auto options = modelOptions(type);
+    EXPECT_EQ(scoreAt(options, wall(), openBeforeWall(3, 4), kInLane),
+              scoreAt(options, wall(), hitBeforeWall(0), kInLane));
+  }
+}
+
+TEST(LikelihoodField, IsNotDrawnToAWallByAFewHits) {
+  const auto map = toyWorld(Art(40, std::string(10, '.') + "#" + std::string(9, '.')), 0.25, {}, 1);
+  Observations seen = hitsAt({{1.0, -0.1}, {1.0, 0.0}, {1.0, 0.1}}, 3.0);  // somebody's legs
+  seen.scan.no_return_bearing = Eigen::ArrayXf::LinSpaced(60, -0.9F, 0.9F);
+  Particles particles(2);
+  particles.setPose(0, {6.0, 5.0, 0.0});  // in the open
+  particles.setPose(1, {1.6, 5.0, 0.0});  // before a wall, which they fit
+  const auto by = [&](const char* type) {
+    return scoresOf(modelOptions(type), map, seen, particles).log_likelihood;
+  };
+  EXPECT_GT(by("likelihood_field")[0], by("likelihood_field")[1] + 5.0);
+  EXPECT_LT(by("likelihood_field_prob")[0], by("likelihood_field_prob")[1] - 5.0);
+}
+
 /// Skipping of the beams that few particles explain: ten hits on the wall, `odd` ones `cells` away.
 double skippingScore(ToyModelOptions options, int odd, int cells) {
   options.do_beamskip = true;

@@ -40,7 +40,10 @@ struct ObservationOptions {
     option("laser_z_hit", laser_z_hit, kProbability, "",
            "Weight of a hit near the expected place.");
     option("laser_z_short", laser_z_short, kProbability, "", "Weight of a short reading (beam).");
-    option("laser_z_max", laser_z_max, kProbability, "", "Weight of a no-return (beam).");
+    option(
+        "laser_z_max", laser_z_max, kProbability, "",
+        "Weight of a no-return where the map has a wall (beam; likelihood_field, where most beams "
+        "see nothing).");
     option("laser_z_rand", laser_z_rand, kProbability, "", "Weight of a random reading.");
     option("laser_sigma_hit", laser_sigma_hit, Range{0, 10}, "m",
            "Standard deviation of a hit, of sensor and map together; 0: from the map's looks, 0.04 "
