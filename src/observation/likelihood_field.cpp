@@ -101,10 +101,11 @@ Scan LikelihoodField::skipBeams(const Scan& scan, const Particles& particles) co
   return kept;
 }
 
-/// Of a beam that sees nothing where the map has a wall.
-double LikelihoodField::logOfMiss() const {
+/// Of a beam that sees nothing where the map has a wall. Where the map has what is not there, such
+/// beams are many at the true pose as well, and each tells less: this share of them is usual.
+double LikelihoodField::logOfMiss(double usual) const {
   constexpr double kLeast = 0.01;  // glass, or a wall that is gone, is never out of the question
-  return std::log(std::max(kLeast, options_.laser_z_max));
+  return std::log(std::max({kLeast, options_.laser_z_max, usual}));
 }
 
 double LikelihoodField::score(const Observations& observations, const Particles& particles,
@@ -125,8 +126,10 @@ double LikelihoodField::score(const Observations& observations, const Particles&
   }
   double beams = hits;
   if (form_ == Form::kTempered && isMostlyOpen(scan) && particles.size() <= kMostForRays) {
-    sums += logOfMiss() * missedWalls(scan, particles, *field_);
-    beams += static_cast<double>(scan.no_return_bearing.size());
+    const auto open = static_cast<double>(scan.no_return_bearing.size());
+    const Eigen::ArrayXd missed = missedWalls(scan, particles, *field_);
+    sums += logOfMiss(missed.mean() / open) * missed;
+    beams += open;
   }
   const double independent = form_ == Form::kSum ? hits : std::min(beams, options_.effective_beams);
   log_likelihood += sums * (independent / beams);

@@ -53,7 +53,7 @@ class LikelihoodField : public ObservationModel {
     std::unique_ptr<ScoreField> dense, sparse;
   };
 
-  double logOfMiss() const;
+  double logOfMiss(double usual) const;
   double likelihood(double distance, double max_range, double sigma) const;
   std::unique_ptr<ScoreField> fieldOf(double max_range, bool is_sparse) const;
   const ScoreField& fieldFor(double max_range, const Particles& particles) const;

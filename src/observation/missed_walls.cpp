@@ -50,6 +50,17 @@ bool meetsWall(const DistanceField& field, const Eigen::Vector2d& start,
   return false;
 }
 
+/// How many of some beams meet a wall, of those that do so beside another one.
+template <class Meets>
+int sideBySide(const std::vector<Eigen::Vector2d>& directions, const Meets& meets) {
+  int count = 0, in_a_row = 0;
+  for (const Eigen::Vector2d& direction : directions) {
+    in_a_row = meets(direction) ? in_a_row + 1 : 0;
+    count += in_a_row == 2 ? 2 : in_a_row > 2 ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 bool isMostlyOpen(const Scan& scan) {
@@ -73,10 +84,9 @@ Eigen::ArrayXd missedWalls(const Scan& scan, const Particles& particles,
       const Transform2 to_lattice(field.lattice().toLattice(particles.pose(i)));
       const Eigen::Vector2d origin = to_lattice * Eigen::Vector2d(0.0, 0.0);
       const Eigen::Vector2d start = cells_per_metre * (to_lattice * scan.position);
-      for (const Eigen::Vector2d& direction : directions) {
-        const Eigen::Vector2d turned = to_lattice * direction - origin;
-        missed[i] += meetsWall(field, start, turned, from, until) ? weight : 0.0;
-      }
+      missed[i] = weight * sideBySide(directions, [&](const Eigen::Vector2d& direction) {
+                    return meetsWall(field, start, to_lattice * direction - origin, from, until);
+                  });
     }
   });
   return missed;

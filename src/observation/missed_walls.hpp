@@ -14,7 +14,8 @@ bool isMostlyOpen(const Scan& scan);
 
 /// For each particle, how many of a scan's no-returns go through a wall that is well within the
 /// laser's range: nearer than 0.9 max_range - 0.2 m, and not where the robot stands. 24 of them are
-/// looked at, evenly spread, or fewer for many particles, and each counts for those beside it.
+/// looked at, evenly spread, or fewer for many particles, and each counts for those beside it. One
+/// alone does not: what one beam goes through is speckle sooner than a wall.
 Eigen::ArrayXd missedWalls(const Scan& scan, const Particles& particles,
                            const DistanceField& field);
 

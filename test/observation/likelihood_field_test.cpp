@@ -94,11 +94,12 @@ TEST(LikelihoodField, CountsNoReturnsWhereTheyAreMostBeams) {
     return scoreAt(options, wall(), openBeforeWall(aside, ahead), kInLane);
   };
   EXPECT_NEAR(score(0, 1), hit, 1e-4);  // as many as hits
-  EXPECT_NEAR(score(0, 2), hit + 2 * miss, 1e-4);
-  EXPECT_NEAR(score(5, 1), hit + miss, 1e-4);
-  EXPECT_NEAR(score(11, 12), (hit + 12 * miss) * 12 / 24, 1e-4);  // tempered together
+  EXPECT_NEAR(score(5, 1), hit, 1e-4);  // one alone
+  EXPECT_NEAR(score(0, 2), hit, 1e-4);  // all of all particles: the map is wrong
+  EXPECT_NEAR(score(18, 2), (hit + 2 * miss) * 12 / 21, 1e-4);  // tempered together
+  EXPECT_NEAR(score(6, 2), hit + 2 * std::log(0.25), 1e-4);     // a quarter is usual
   options.laser_z_max = 0.0;
-  EXPECT_NEAR(score(0, 2), hit + 2 * std::log(0.01), 1e-4);
+  EXPECT_NEAR(score(20, 3), (hit + 3 * std::log(3.0 / 23)) * 12 / 24, 1e-4);
   Particles particles(1);
   EXPECT_EQ(scoresOf(options, wall(), openBeforeWall(3, 4), particles).beams, 8.0);
 }

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "adaptive_localization/core/rng.hpp"
 #include "core/parallel.hpp"
@@ -33,14 +36,19 @@ Particles randomCloud(Eigen::Index count, int seed) {
   return cloud;
 }
 
-/// By exact ray casting.
+/// By exact ray casting: beams that do so beside another one.
 double missedOf(const Scan& scan, const Pose2& pose, const RayCaster& caster) {
   const Eigen::Vector2d sensor = pose * scan.position;
-  double missed = 0.0;
+  std::vector<bool> is_missed{false};
   for (const float bearing : scan.no_return_bearing) {
     const Pose2 ray{sensor.x(), sensor.y(), wrapAngle(pose.theta + static_cast<double>(bearing))};
     const double range = caster.range(ray * Pose2{0.4, 0.0, 0.0}, kRange) + 0.4;
-    missed += range < 0.9 * kRange - 0.2 ? 1.0 : 0.0;
+    is_missed.push_back(range < 0.9 * kRange - 0.2);
+  }
+  is_missed.push_back(false);
+  double missed = 0.0;
+  for (std::size_t k = 1; k + 1 < is_missed.size(); ++k) {
+    missed += is_missed[k] && (is_missed[k - 1] || is_missed[k + 1]) ? 1.0 : 0.0;
   }
   return missed;
 }
@@ -84,20 +92,36 @@ TEST(MissedWalls, AreNoneWhereTheLaserDoesNotReach) {
   const auto map = toyWorld({Art(1, std::string(100, '.') + "#").front()}, 0.05);
   const DistanceField field(*map);  // a wall at 5.025 m
   Particles ahead(1);
-  Scan scan = openScan(1);
-  scan.no_return_bearing[0] = 0.0F;
+  Scan scan = openScan(2);
+  scan.no_return_bearing = 0.0F;
   const auto missedFrom = [&](double x) {
     ahead.setPose(0, {x, 0.025, 0.0});
     return missedWalls(scan, ahead, field)[0];
   };
   EXPECT_EQ(missedFrom(1.0), 0.0);  // 4.0 m: at the end of its range
   EXPECT_EQ(missedFrom(1.5), 0.0);  // 3.5 m: nearly
-  EXPECT_EQ(missedFrom(1.8), 1.0);  // 3.2 m
-  EXPECT_EQ(missedFrom(4.5), 1.0);
+  EXPECT_EQ(missedFrom(1.8), 2.0);  // 3.2 m
+  EXPECT_EQ(missedFrom(4.5), 2.0);
   EXPECT_EQ(missedFrom(4.9), 0.0);  // where the robot stands
   EXPECT_EQ(missedFrom(7.0), 0.0);  // it looks away from the map
   EXPECT_EQ(missedFrom(1e9), 0.0);
   EXPECT_EQ(missedFrom(std::nan("")), 0.0);
+}
+
+TEST(MissedWalls, AreNoneWhereOneBeamAloneGoesThrough) {
+  const auto map = toyWorld({Art(1, std::string(60, '.') + "#").front()}, 0.05);
+  const DistanceField field(*map);
+  Particles ahead(1);
+  ahead.setPose(0, {1.0, 0.025, 0.0});
+  Scan scan = openScan(5);
+  const auto missedBy = [&](std::array<float, 5> bearings) {
+    std::copy(bearings.begin(), bearings.end(), scan.no_return_bearing.data());
+    return missedWalls(scan, ahead, field)[0];
+  };
+  EXPECT_EQ(missedBy({1.5F, 0.0F, -1.5F, 0.0F, 1.5F}), 0.0);
+  EXPECT_EQ(missedBy({0.0F, 0.0F, -1.5F, 0.0F, 1.5F}), 2.0);
+  EXPECT_EQ(missedBy({1.5F, 0.0F, 0.0F, 0.0F, 1.5F}), 3.0);
+  EXPECT_EQ(missedBy({0.0F, 0.0F, 1.5F, 0.0F, 0.0F}), 4.0);
 }
 
 TEST(MissedWalls, AreNoneWithoutNoReturnsOrParticles) {
