@@ -27,8 +27,9 @@ class ScoreField;
 /// No-returns tell nothing, but where they are most of the beams. There the few hits may be of
 /// people, or stray, and a pose at which they happen to lie on walls is as likely as the next one,
 /// unless the beams beside them should have met these walls as well. So likelihood_field then takes
-/// all beams together, B counts the no-returns too, and each of them has p = z_max where the map
-/// has a wall well within the laser's range, and else 1 (missedWalls()).
+/// all beams together, B counts the no-returns too, and each of them has p = 1, but where it misses
+/// a wall (missedWalls()): there p = max(z_max, 0.01, share of no-returns that miss one, on average
+/// of the particles), as on a map that has what is not there many do.
 ///
 /// On a map with thick walls likelihood_field measures from their faces or their middles, as scans
 /// tell (ThickWallsField).

@@ -39,6 +39,8 @@ double cellsFree(const DistanceField& field, const Eigen::Vector2d& point) {
 }
 
 /// Whether a ray meets a wall, all in cells: it goes on at once by as much as no wall is nearer.
+/// Where the wall is does not matter, nor a corner that is cut, so no RayCaster, which walks from
+/// cell to cell, is needed.
 bool meetsWall(const DistanceField& field, const Eigen::Vector2d& start,
                const Eigen::Vector2d& direction, double from, double until) {
   constexpr double kInWall = 0.5, kHalfDiagonal = 0.7;

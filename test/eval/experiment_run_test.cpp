@@ -93,14 +93,14 @@ TEST(ExperimentRun, AShortSightedRobotIsNotLostInTheOpen) {
   }
 }
 
-/// Nor is one that sees 57 degrees; with the second of these seeds it once was, 21 m off. (With
-/// seeds 1, 4, 5 and 6 it sees hardly a wall for half a minute, and is 1 to 3 m off by then.)
+/// Nor is one that sees 57 degrees; with seeds 1 and 3 it once was, 35 and 21 m off. With seed 1 it
+/// sees hardly a wall for half a minute, in which odometry alone is nearly a metre off.
 TEST(ExperimentRun, ARobotWithADepthCameraKeepsThePlaceThatItWasTold) {
   const Arena arena("lasers.yaml", "depth camera, complex, told");
-  for (const int seed : {2, 3, 8, 10}) {
+  for (const int seed : {1, 2, 3, 8, 10}) {
     const ExperimentResult result = arena.run(seed);
     EXPECT_EQ(result.silently_wrong, 0) << seed;
-    EXPECT_LT(result.max_m, 1.0) << seed;
+    EXPECT_LT(result.max_m, seed == 1 ? 2.0 : 1.0) << seed;
   }
 }
 
