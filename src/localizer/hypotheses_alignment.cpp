@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "kept_place.hpp"
 #include "localizer/hypotheses.hpp"
 #include "localizer/usual_error.hpp"
 #include "match/pose_kalman.hpp"
@@ -25,6 +26,15 @@ Place alignedWith(const PlaceRefiner& refiner, const Hypothesis& hypothesis) {
   return place;
 }
 
+/// Whether a known place would have to slide to where it was aligned, farther than wheels can slip:
+/// odometry and the core say that it did not. Where somebody stands in the way, as in an aisle, it
+/// would follow him: then no farther than the core did, however far that is.
+bool wouldSlide(const Hypothesis& known, const Pose2& aligned, double slide_of_core,
+                bool is_hidden) {
+  const bool slides = known.slideTo(aligned) > std::max(1.0, slide_of_core);
+  return slides && (is_hidden || slide_of_core <= 1.0);
+}
+
 }  // namespace
 
 PlaceRefiner Hypotheses::refinerFor(const Scan& scan) const {
@@ -38,8 +48,8 @@ void Hypotheses::follow(const Scan& scan, double usual) {
 
 /// The better one of two ways to the core's place: from where it was and from where the core is.
 /// One that leads away from where both odometry and the core have it, as along a wall with gaps,
-/// leads to another place: odds that were earned do not go there. Step by step a known place could
-/// go there as well: where odometry and the core say that it did not, it is where the core is.
+/// leads to another place: odds that were earned do not go there. Nor does a known place go there
+/// step by step: it is where the core is.
 Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesis,
                               const Place& before, double usual) {
   const Pose2 T_map_core = *hypothesis.T_map_core, ridden = hypothesis.T_map_ridden;
@@ -54,10 +64,15 @@ Place Hypotheses::alignedCore(const PlaceRefiner& refiner, Hypothesis& hypothesi
   const bool is_now = leads_away || now.error <= withTolerance(before.error);
   const Place& place = is_now ? now : before;
   const double error = refiner.error(T_map_core);
-  const bool slides = hypothesis.was_believed && hypothesis.wouldSlideTo(place.T_map_base) &&
-                      !hypothesis.wouldSlideTo(T_map_core);
-  if (slides) return {T_map_core, error};
-  is_core_beside_ = error > UsualError(usual).limit() && place.error < kFarBetter * error;
+  const bool fits = error <= UsualError(usual).limit();
+  if (hypothesis.was_believed) {
+    const bool is_hidden = !fits && isHidden(refiner.fit(T_map_core));
+    const double slide_of_core = hypothesis.slideTo(T_map_core);
+    const bool slides = wouldSlide(hypothesis, place.T_map_base, slide_of_core, is_hidden);
+    if (is_hidden && slide_of_core <= 1.0) hypothesis.rollFrom(T_map_core);
+    if (slides) return {T_map_core, error};
+  }
+  is_core_beside_ = !fits && place.error < kFarBetter * error;
   return place;
 }
 

@@ -23,7 +23,7 @@ bool hasTurned(const Hypothesis& kept, const Pose2& T_map_slipped) {
   constexpr double kTurned = 0.25;  // rad
   const double turned = wrapAngle(T_map_slipped.theta - kept.T_map_ridden.theta);
   return std::abs(turned) > kTurned && areSamePlace(T_map_slipped, kept.T_map_ridden) &&
-         !kept.wouldShiftTo(T_map_slipped);
+         kept.shiftTo(T_map_slipped) <= 1.0;
 }
 
 /// The best place a slip of the wheels, or a few, away from where odometry has the robot: of all

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,7 +33,8 @@ struct Hypothesis {
   std::optional<Place> aligned{};                    // with the next scan
   std::optional<Pose2> T_map_fitted{};  // by odometry since a scan fitted, if the last one does not
   Pose2 T_map_ridden{};             // by odometry alone, before it was aligned with the last scan
-  Pose2 T_map_rolled = T_map_base;  // by odometry alone, for the last half metre or so:
+  Pose2 T_map_rolled = T_map_base;  // by odometry alone, for the last half metre or so
+  Pose2 T_map_start = T_map_base;   // from there:
   double rolled{0.0}, turned{0.0};  // so far, m and rad
   bool is_new{true};                // not judged yet: a scan counts in full
   bool is_due{true};                // to be judged by this scan
@@ -52,8 +55,8 @@ struct Hypothesis {
 
   /// Odometry rolls on.
   void ride(const Pose2& motion) {
-    constexpr double kLately = 0.5;  // m
-    if (rolled > kLately) moveTo(T_map_base);
+    constexpr double kLately = 0.5;  // m, or rad
+    if (std::max(rolled, turned) > kLately) moveTo(T_map_base);
     T_map_base = T_map_base * motion;
     T_map_rolled = T_map_rolled * motion;
     rolled += std::hypot(motion.x, motion.y);
@@ -73,21 +76,32 @@ struct Hypothesis {
   }
 
   void moveTo(const Pose2& T_map_moved) {
-    T_map_base = T_map_rolled = T_map_moved;
+    T_map_base = T_map_moved;
+    rollFrom(T_map_moved);
+  }
+
+  /// Where wheels can slip to is measured from here on.
+  void rollFrom(const Pose2& T_map_known) {
+    T_map_rolled = T_map_start = T_map_known;
     rolled = turned = 0.0;
   }
 
-  /// To be at a pose it would have moved by more than wheels can slip on the way they rolled.
-  bool wouldSlideTo(const Pose2& pose) const {
-    constexpr double kTurned = 0.25;  // rad
-    return wouldShiftTo(pose) ||
-           std::abs(wrapAngle(pose.theta - T_map_rolled.theta)) > kTurned + turned;
+  /// How far it would have moved off its way, to be at a position, against how far wheels can slip:
+  /// more than 1 is no slip. Wheels that spin leave it anywhere on that way.
+  double shiftTo(const Pose2& pose) const {
+    constexpr double kOff = 0.3, kPerWay = 0.3, kPerTurn = 0.2;  // m, m/m, m/rad
+    const Eigen::Vector2d roll(T_map_rolled.x - T_map_start.x, T_map_rolled.y - T_map_start.y);
+    const Eigen::Vector2d shift(pose.x - T_map_start.x, pose.y - T_map_start.y);
+    const double square = std::max(roll.squaredNorm(), std::numeric_limits<double>::min());
+    const double rolled_on = std::clamp(shift.dot(roll) / square, 0.0, 1.0);
+    return (shift - rolled_on * roll).norm() / (kOff + kPerWay * rolled + kPerTurn * turned);
   }
 
-  /// The same of its position alone.
-  bool wouldShiftTo(const Pose2& pose) const {
-    constexpr double kOff = 0.3, kPerTurn = 0.2;  // m, m/rad
-    return distance(T_map_rolled, pose) > kOff + rolled + kPerTurn * turned;
+  /// The same for a pose.
+  double slideTo(const Pose2& pose) const {
+    constexpr double kTurned = 0.25;  // rad
+    const double turn = std::abs(wrapAngle(pose.theta - T_map_rolled.theta));
+    return std::max(shiftTo(pose), turn / (kTurned + turned));
   }
 
   /// The wheels slipped from here to another place, which no scan told from all others yet.

@@ -18,10 +18,14 @@ constexpr double kOfView = 3.0;  // and of a view that one thing may fill
 
 }  // namespace
 
+bool isHidden(const RangeError::Fit& fit) {
+  return fit.throughShare() < std::max(kThrough, kOfShort * fit.short_share);
+}
+
 double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is_word,
                    double usual_error) {
   const RangeError::Fit fit = refiner.fit(T_map_base);
-  const bool is_hidden = fit.throughShare() < std::max(kThrough, kOfShort * fit.short_share);
+  const bool is_hidden = isHidden(fit);
   const double most_hidden = std::max(kMostHidden, kMostOfView / refiner.view());
   const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
   const double on = refiner.hitShare(T_map_base, UsualError(usual_error).limit());

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "map/range_error.hpp"
 #include "ser/place_refiner.hpp"
 
 namespace adaptive_localization {
 
 /// So much of a view one thing that the map does not have may hide, rad: all that a camera sees.
 constexpr double kMostOfView = kPi / 2.0;
+
+/// Beams that do not fit rather end before what the map has than go on where it has a wall.
+bool isHidden(const RangeError::Fit& fit);
 
 /// What a scan may say at most, in log odds, against a place where the robot was told or known to
 /// be. Where most of the scan does not fit there it has no bound, unless one thing may fill the
