@@ -40,9 +40,9 @@ bool isCovered(const Scan& scan) {
   return static_cast<double>(far) < kShare * static_cast<double>(beams);
 }
 
-bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error) {
+bool areTooShort(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error) {
   constexpr double kShortShare = 0.7;
-  return isCovered(scan) || range_error.at(T_map_base, scan).short_share > kShortShare;
+  return range_error.at(T_map_base, scan).short_share > kShortShare;
 }
 
 Scan withoutObstacles(const Scan& scan, const Pose2& T_map_base, const DistanceField& field,

@@ -15,9 +15,9 @@ bool seesNothing(const Scan& scan);
 /// a scan that sees hardly anything beyond arm's length is no evidence, nor are stray hits.
 bool isCovered(const Scan& scan);
 
-/// Whether a scan, taken about a pose, tells of what stands before the laser and not of where it
-/// is: nearly all beams are too short.
-bool isOccluded(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error);
+/// Nearly all beams of a scan, taken about a pose, are too short: it tells of what stands before
+/// the laser and not of where it is.
+bool areTooShort(const Scan& scan, const Pose2& T_map_base, const RangeError& range_error);
 
 /// A scan about a pose without the hits that lie before the map's walls and on none: people, or
 /// furniture that was moved, draw a pose to where they would be walls (the distance filter; Fox,

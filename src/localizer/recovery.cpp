@@ -69,7 +69,7 @@ void Recovery::copyStateOf(const Recovery& other) {
 }
 
 Scan Recovery::evidenceOf(const Pose2& T_map_base, const Scan& scan) const {
-  if (isOccluded(scan, T_map_base, range_error_)) return {};
+  if (isCoveredAt(T_map_base, scan) || areTooShort(scan, T_map_base, range_error_)) return {};
   const bool is_clear = !ground_.field->quality().hasThickWalls();
   return is_clear && status_ == Status::kTracking
              ? withoutObstacles(scan, T_map_base, *ground_.field, range_error_)
@@ -94,8 +94,8 @@ void Recovery::ride(const Pose2& motion) {
 
 void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
                        const Estimate& estimate, const Observations& all) {
-  const Observations observations = withoutCover(all);
   const Pose2& T_map_base = estimate.T_map_base;
+  const Observations observations = withoutCover(T_map_base, all);
   scan_fits_ = false;
   if (!tells(observations)) return seeNothing(estimate, all);
   blind_ = 0;
@@ -137,7 +137,7 @@ bool Recovery::isUnverified(const Observations& observations) const {
 }
 
 void Recovery::verify(const Estimate& estimate, const Observations& all) {
-  const Observations observations = withoutCover(all);
+  const Observations observations = withoutCover(estimate.T_map_base, all);
   if (!tells(observations)) return;
   open(estimate.T_map_base);
   const double error = errorAt(estimate.T_map_base, observations);

@@ -143,7 +143,8 @@ class Recovery {
   bool isAsUsual(double error) const { return error <= Hypotheses::withTolerance(usual_.value()); }
 
   bool isAtALoss() const { return status_ == Status::kLost && odds_.areSpent(); }
-  static Observations withoutCover(const Observations& observations);
+  bool isCoveredAt(const Pose2& T_map_base, const Scan& scan) const;
+  Observations withoutCover(const Pose2& T_map_base, const Observations& observations) const;
   bool tells(const Observations& observations) const;
   void seeNothing(const Estimate& estimate, const Observations& observations);
   bool isGarbled(const Pose2& T_map_base, const Scan& scan) const;

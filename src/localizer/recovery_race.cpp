@@ -54,8 +54,8 @@ void Recovery::openDoubted(const Observations& observations) {
   open(T_map_then, inverse(asked->motion));
   hypotheses_.addAligned(asked->places, 0.0);
   const double share = doubt_.shareOfMisfits();
-  hypotheses_.weigh(withoutCover(asked->observations), {share, share, watch_.hasComeNear()},
-                    usual_.value());
+  hypotheses_.weigh(withoutCover(T_map_then, asked->observations),
+                    {share, share, watch_.hasComeNear()}, usual_.value());
   hypotheses_.prune(against());
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);

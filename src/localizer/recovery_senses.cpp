@@ -18,10 +18,18 @@ bool isBlind(const Scan& scan) {
 
 }  // namespace
 
+/// A laser that is covered, unless it sees just the wall of the map that the robot stands before.
+bool Recovery::isCoveredAt(const Pose2& T_map_base, const Scan& scan) const {
+  if (!isCovered(scan)) return false;
+  if (scan.hits() == 0 || seesNothing(scan)) return true;
+  return range_error_.at(T_map_base, scan).error > usual_.limit();
+}
+
 /// An occluded laser says nothing: then other senses are asked, as where there is no laser.
-Observations Recovery::withoutCover(const Observations& observations) {
+Observations Recovery::withoutCover(const Pose2& T_map_base,
+                                    const Observations& observations) const {
   Observations rest = observations;
-  if (isCovered(rest.scan)) rest.scan = {};
+  if (isCoveredAt(T_map_base, rest.scan)) rest.scan = {};
   return rest;
 }
 
@@ -62,7 +70,7 @@ void Recovery::seeNothing(const Estimate& estimate, const Observations& all) {
   ground_.places->askAnew();
   const bool is_open = seesNothing(all.scan);
   const bool is_elsewhere = shareOfWallsMissed(estimate.T_map_base, all.scan) > kMissed;
-  confidence_.observe(estimate, is_open ? withoutCover(all) : all);
+  confidence_.observe(estimate, is_open ? withoutCover(estimate.T_map_base, all) : all);
   if (is_elsewhere || isBlind(all.scan)) confidence_.contradict();
   blind_ = is_elsewhere || !is_open ? blind_ + 1 : 0;
   if (blind_ > kBrief) odds_.seeNothing();

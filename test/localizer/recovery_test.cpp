@@ -351,6 +351,28 @@ Observations coveredScan() {
   return covered;
 }
 
+/// All that a camera sees of a wall may be within arm's length. That is no hand before it: the
+/// robot turns there for as long as it likes, and is as known as before.
+TEST(Recovery, ARobotCloseToAWallIsNotCovered) {
+  Watched watched(asymmetricWorld());
+  Pose2 truth{3.0, 3.2, kPi};
+  watched.tell(truth);
+  watched.track(truth, 2.0);
+  ASSERT_NEAR(truth.x, 1.0, 0.11);  // the wall is at 0.5 m
+  watched.laser = {61, -0.5, 0.5, 12.0};
+  for (int i = 0; i < 40; ++i) {
+    const Pose2 motion{0.0, 0.0, i % 2 == 0 ? 0.1 : -0.1};
+    truth = truth * motion;
+    watched.see(truth, truth, motion);
+    ASSERT_EQ(watched.recovery.status(), Status::kTracking) << i;
+    ASSERT_GT(watched.recovery.confidence(truth, truth), 0.9) << i;
+  }
+  const Observations seen = watched.laser.observe(watched.map, truth);
+  EXPECT_EQ(watched.recovery.evidenceOf(truth, seen.scan).hits(), seen.scan.hits());
+  const Observations hand = withBystanders(seen, 1, 0.3F);
+  EXPECT_EQ(watched.recovery.evidenceOf(truth, hand.scan).hits(), 0);
+}
+
 TEST(Recovery, ACoveredLaserIsNoReasonToMoveAndTheSameViewSettlesIt) {
   Watched watched(asymmetricWorld());
   Pose2 truth{2.0, 3.0, -0.5};
