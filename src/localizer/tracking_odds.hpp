@@ -26,8 +26,8 @@ class TrackingOdds {
   double word() const { return std::min(word_, value_); }
 
   /// There is so much that what stands about the robot may have changed, little by little, rather
-  /// than the robot's place.
-  bool isKept() const { return value_ >= kInitial; }
+  /// than the robot's place: more than being carried leaves.
+  bool isKept() const { return value_ > kMost - kCarried; }
 
   void earn(const Pose2& motion) {
     const double earned = value_ + kPerMetre * std::hypot(motion.x, motion.y);

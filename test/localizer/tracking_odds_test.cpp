@@ -33,12 +33,19 @@ TEST(TrackingOdds, AreSomebodysWordUntilScansTell) {
   EXPECT_EQ(TrackingOdds(false).word(), 0.0);
 }
 
-TEST(TrackingOdds, KeepAPlaceOnceTheyAreWhatAWordIsWorth) {
-  EXPECT_TRUE(TrackingOdds(true).isKept());
+TEST(TrackingOdds, KeepAPlaceOnceTheyAreNearlyWhatAWordIsWorth) {
   TrackingOdds odds(false);
   EXPECT_FALSE(odds.isKept());
   odds.earn({2.1, 0.0, 0.0});
   EXPECT_TRUE(odds.isKept());
+  TrackingOdds word(true);
+  EXPECT_TRUE(word.isKept());
+  word.seeNothing();
+  EXPECT_TRUE(word.isKept()) << "a scan that sees nothing is no reason to leave";
+  TrackingOdds carried(true);
+  for (int i = 0; i < 100; ++i) carried.earn({0.1, 0.0, 0.0});
+  carried.beCarried();
+  EXPECT_FALSE(carried.isKept()) << "however much was known";
 }
 
 TEST(TrackingOdds, AreLostByWhatCannotBeSeen) {
