@@ -33,9 +33,9 @@ struct Hypothesis {
   std::optional<Place> aligned{};                    // with the next scan
   std::optional<Pose2> T_map_fitted{};  // by odometry since a scan fitted, if the last one does not
   Pose2 T_map_ridden{};             // by odometry alone, before it was aligned with the last scan
-  Pose2 T_map_rolled = T_map_base;  // by odometry alone, for the last half metre or so
-  Pose2 T_map_start = T_map_base;   // from there:
-  double rolled{0.0}, turned{0.0};  // so far, m and rad
+  Pose2 T_map_start = T_map_base;   // where it was half a metre or radian ago, or less
+  Pose2 T_map_rolled = T_map_base;  // by odometry alone since then, on a way
+  double rolled{0.0}, turned{0.0};  // of so many m and rad
   bool is_new{true};                // not judged yet: a scan counts in full
   bool is_due{true};                // to be judged by this scan
   int waited{0};                    // scans since it was judged,

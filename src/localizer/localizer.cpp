@@ -205,7 +205,7 @@ Observations Localizer::evidenceOf(const Pose2& T_map_base,
   Observations seen = observations;
   if (setup_.options.recovery) {
     seen.scan = recovery_->evidenceOf(T_map_base, seen.scan);
-  } else if (recovery_->canReplaceScan(observations)) {
+  } else if (recovery_->canReplaceScan(T_map_base, observations)) {
     seen.scan = {};
   }
   return seen;

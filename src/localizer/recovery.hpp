@@ -46,8 +46,8 @@ class Recovery {
   /// looked for by it.
   Scan evidenceOf(const Pose2& T_map_base, const Scan& scan) const;
 
-  /// Whether the laser is occluded, and other senses tell where the robot is.
-  bool canReplaceScan(const Observations& observations) const;
+  /// Whether the laser of a robot about a pose is occluded, and other senses tell where it is.
+  bool canReplaceScan(const Pose2& T_map_base, const Observations& observations) const;
 
   /// A scan tells something, and that of the last update was of a laser that is covered: this one
   /// or another.

@@ -33,8 +33,8 @@ Observations Recovery::withoutCover(const Pose2& T_map_base,
   return rest;
 }
 
-bool Recovery::canReplaceScan(const Observations& observations) const {
-  return isCovered(observations.scan) && senses_->canLocalize(observations);
+bool Recovery::canReplaceScan(const Pose2& T_map_base, const Observations& observations) const {
+  return isCoveredAt(T_map_base, observations.scan) && senses_->canLocalize(observations);
 }
 
 bool Recovery::seesAgain(const Scan& scan) const {
