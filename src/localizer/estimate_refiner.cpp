@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate_refiner.hpp"
 
-#include <Eigen/Dense>
 #include <utility>
 
 #include "core/chi_square.hpp"
+#include "core/gate.hpp"
 #include "filters/shared_parts.hpp"
 
 namespace adaptive_localization {
@@ -15,27 +15,17 @@ constexpr double kWide = 0.6;        // m: up to here only one that explains the
 constexpr double kMostOfScan = 0.7;  // so much of it
 const double kGate = chiSquare(3, 0.99);
 
-bool isWithin(double deviation, const Estimate& estimate) {
+bool isNarrow(const Estimate& estimate, double deviation) {
   return estimate.covariance.topLeftCorner<2, 2>().trace() < deviation * deviation;
 }
 
 bool isTrusted(const Match& match, const Estimate& estimate) {
-  return match.inlier_ratio >= kMostOfScan || isWithin(kNarrow, estimate);
-}
-
-/// What a filter says, and a few centimetres: clouds are narrower than they are right.
-Eigen::Matrix3d loosened(Eigen::Matrix3d covariance) {
-  constexpr double kStd = 0.05;  // m, and as much in rad
-  covariance.diagonal().array() += kStd * kStd;
-  return covariance;
+  return match.inlier_ratio >= kMostOfScan || isNarrow(estimate, kNarrow);
 }
 
 /// Whether a pose is still of the place that a filter means.
 bool isNear(const Estimate& estimate, const Pose2& T_map_base) {
-  const Pose2& pose = estimate.T_map_base;
-  const Eigen::Vector3d off(T_map_base.x - pose.x, T_map_base.y - pose.y,
-                            wrapAngle(T_map_base.theta - pose.theta));
-  return off.dot(loosened(estimate.covariance).llt().solve(off)) < kGate;
+  return isWithin({estimate.T_map_base, estimate.covariance}, T_map_base);
 }
 
 }  // namespace
@@ -52,7 +42,7 @@ void EstimateRefiner::reset() {
 Estimate EstimateRefiner::refine(Estimate estimate, const Pose2& motion,
                                  const Observations& observations) {
   match_.reset();
-  if (!isWithin(kWide, estimate)) {
+  if (!isNarrow(estimate, kWide)) {
     is_on_ = false;
     return estimate;
   }

@@ -101,6 +101,13 @@ bool Hypotheses::knows(const Pose2& T_map_base) const {
   return placeAt(all_, T_map_base) != all_.end();
 }
 
+Hypothesis* Hypotheses::knownWithin(const Leeway& leeway) {
+  const auto known = std::find_if(all_.begin(), all_.end(), [&](const Hypothesis& hypothesis) {
+    return hypothesis.isKnown() && leeway.allows(hypothesis.T_map_ridden);
+  });
+  return known == all_.end() ? nullptr : &*known;
+}
+
 std::vector<Place> Hypotheses::explaining(const Observations& observations, double most) const {
   std::vector<Place> places;
   for (const Hypothesis& hypothesis : all_) {

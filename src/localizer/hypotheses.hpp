@@ -10,6 +10,7 @@
 #include "adaptive_localization/observation/composed_model.hpp"
 #include "adaptive_localization/ser/ground.hpp"
 #include "localizer/hypothesis.hpp"
+#include "localizer/leeway.hpp"
 #include "localizer/novelty.hpp"
 #include "localizer/tracking_odds.hpp"
 #include "map/range_error.hpp"
@@ -113,6 +114,10 @@ class Hypotheses {
   void addKept(const Pose2& T_map_base, const TrackingOdds& odds);
 
   bool knows(const Pose2& T_map_base) const;
+
+  /// The likeliest place that was known, or that wheels slipped to from there, of those that are
+  /// allowed where odometry alone has them; null if there is none.
+  Hypothesis* knownWithin(const Leeway& leeway);
 
   /// Whether wheels can have slipped to one of the places, from where odometry has the robot or by
   /// some slips on the way; to any if there are none.

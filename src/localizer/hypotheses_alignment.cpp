@@ -131,6 +131,7 @@ void Hypotheses::correctBySenses(const Observations& observations) {
   is_core_beside_ = false;
   slips_sought_ = 0;
   for (Hypothesis& hypothesis : all_) {
+    hypothesis.T_map_ridden = hypothesis.T_map_base;
     if (!hypothesis.is_due) continue;
     const Gaussian2 corrected = correctedBySenses(hypothesis, observations);
     hypothesis.T_map_core.reset();

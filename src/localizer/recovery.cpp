@@ -35,6 +35,7 @@ void Recovery::reset(const Prior& prior) {
   proof_.waive();
   if (from_anywhere_) proof_.demand();
   left_.reset();
+  leeway_.end();
   initial_pose_ = InitialPose(is_given);
   odds_ = TrackingOdds(is_given);
   unexplained_ = unfit_ = blind_ = 0;
@@ -82,6 +83,7 @@ void Recovery::ride(const Pose2& motion) {
   novelty_.ride(motion);
   if (race_.has_left) race_.left_way += std::hypot(motion.x, motion.y);
   if (left_) left_ = *left_ * motion;
+  leeway_.ride(motion);
   if (race_.leader) race_.leader = *race_.leader * motion;
   if (is_settled_ && odds_.isKept()) {
     left_.reset();
@@ -129,6 +131,8 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   if (!doubt_.isRaised() && unexplained_ == 0) doubt_.forget();
   doubt_.follow(T_map_base, observations.scan, usual_.value());
   compare(T_map_base_expected, T_map_base, error, observations);
+  noteLeeway(estimate);
+  keepUp(T_map_base, observations);
   updateStatus();
 }
 

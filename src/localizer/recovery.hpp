@@ -13,6 +13,7 @@
 #include "localizer/doubt.hpp"
 #include "localizer/hypotheses.hpp"
 #include "localizer/initial_pose.hpp"
+#include "localizer/leeway.hpp"
 #include "localizer/proof.hpp"
 #include "localizer/scan_watch.hpp"
 #include "localizer/search_pace.hpp"
@@ -177,6 +178,8 @@ class Recovery {
     return mode ? mode->mass : is_settled_ ? 1.0 : 0.0;
   }
   const Mode* heldPlace(const Pose2& T_map_base) const;
+  void noteLeeway(const Estimate& estimate);
+  void keepUp(const Pose2& T_map_core, const Observations& observations);
   bool hasSlipped(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
   bool isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_map_base) const;
 
@@ -216,6 +219,7 @@ class Recovery {
   Race race_;
   SearchPace pace_;
   bool has_left_leader_{false};  // the last scan is suddenly none of the leader's
+  Leeway leeway_;                // of the known place, until it is left
   std::optional<Pose2> left_;  // a place that was known, by odometry, until another one is as well
   bool was_refuted_{false};  // the core's place, by what scans said in the last race, but not left
   bool were_many_{false};    // places to choose from in the last race

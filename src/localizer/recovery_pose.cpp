@@ -68,6 +68,23 @@ const Mode* Recovery::heldPlace(const Pose2& T_map_base) const {
   return mode && mode->mass > std::min(kFair, 0.5 * modes_.front().mass) ? mode : nullptr;
 }
 
+void Recovery::noteLeeway(const Estimate& estimate) {
+  if (race_.has_left) return leeway_.end();
+  if (status_ == Status::kTracking) leeway_.moveTo(estimate.T_map_base);
+  leeway_.note(estimate, is_settled_);
+}
+
+/// Where the core's cloud has shrunk to there is the known place, too, if that fits far worse where
+/// odometry has it.
+void Recovery::keepUp(const Pose2& T_map_core, const Observations& observations) {
+  constexpr double kFarBetter = 0.5;  // of the error
+  if (leeway_.isAt(T_map_core) || !leeway_.allows(T_map_core)) return;
+  Hypothesis* known = hypotheses_.knownWithin(leeway_);
+  if (!known || error_ >= kFarBetter * errorAt(known->T_map_ridden, observations)) return;
+  known->moveTo(T_map_core);
+  leeway_.moveTo(T_map_core);
+}
+
 /// The scan fits where the core has the robot, to where the wheels slipped, and where odometry has
 /// it is ruled out: by the odds, as the core's place is the only one, or as this scan fits far
 /// worse there. Odds that were earned would hold the pose for metres.
@@ -88,6 +105,7 @@ bool Recovery::isCorrection(const Pose2& T_map_base_by_odometry, const Pose2& T_
   if (status_ == Status::kAmbiguous && is_settled_ && !proof_.isGiven()) return true;
   if (!was_tracking_ && proof_.isByScans()) return !heldPlace(T_map_base_by_odometry);
   if (hasSlipped(T_map_base_by_odometry, T_map_base)) return true;
+  if (leeway_.isAt(T_map_base) && leeway_.allows(T_map_base_by_odometry)) return true;
   if (race_.left_way > kFarFromIt && heldPlace(T_map_base))
     return !heldPlace(T_map_base_by_odometry);
   if (status_ != Status::kAmbiguous) return false;

@@ -74,6 +74,7 @@ void Recovery::seeNothing(const Estimate& estimate, const Observations& all) {
   if (is_elsewhere || isBlind(all.scan)) confidence_.contradict();
   blind_ = is_elsewhere || !is_open ? blind_ + 1 : 0;
   if (blind_ > kBrief) odds_.seeNothing();
+  noteLeeway(estimate);
   updateStatus();
 }
 

@@ -789,6 +789,32 @@ TEST(Hypotheses, WhereWheelsCanHaveSlippedToIsNotRuledOutByWhatFitsFarWorse) {
   }
 }
 
+/// By odometry alone: where a scan aligns it may be farther off.
+TEST(Hypotheses, TellWhichPlaceThatWasKnownCanBeSomewhere) {
+  const Pose2 start = kTruth * Pose2{-0.1, 0.0, 0.0}, slip = kTruth * Pose2{0.0, 0.0, -0.6};
+  const auto around = [](const Pose2& pose) {
+    Leeway leeway;
+    leeway.note({pose, Eigen::Matrix3d::Zero(), {}}, true);
+    return leeway;
+  };
+  Hypotheses hypotheses(asymmetricWorld());
+  hypotheses.add(kWrong, 0.0);
+  hypotheses.addKept(start, tracked(1.0));
+  hypotheses.addCore(slip, 0.0);
+  hypotheses.weigh(seenAt(kTruth), News{}, kUsual);
+  Hypothesis* known = hypotheses.knownWithin(around(start));
+  ASSERT_NE(known, nullptr);
+  EXPECT_TRUE(known->was_believed);
+  EXPECT_THAT(known->T_map_ridden, PoseNear(start, 1e-9, 1e-9));
+  EXPECT_THAT(known->T_map_base, PoseNear(kTruth, 0.03, 0.03));
+  ASSERT_NE(hypotheses.knownWithin(around(slip)), nullptr);
+  EXPECT_TRUE(hypotheses.knownWithin(around(slip))->has_slipped);
+  EXPECT_EQ(hypotheses.knownWithin(around(kWrong)), nullptr) << "nobody believed in it";
+  hypotheses.ride({1.0, 0.0, 0.0});
+  hypotheses.weigh({}, News{}, kUsual);  // other senses alone
+  EXPECT_NE(hypotheses.knownWithin(around(kTruth * Pose2{1.0, 0.0, 0.0})), nullptr);
+}
+
 TEST(Hypotheses, ACoreASlipAwayFromAKeptPlaceIsLikelierThanOneElsewhere) {
   const Pose2 near = kTruth * Pose2{0.5, 0.0, -0.6}, far = kTruth * Pose2{1.1, 0.0, 0.0};
   const Pose2 turned = kTruth * Pose2{0.0, 0.0, 1.1};

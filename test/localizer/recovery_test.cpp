@@ -38,8 +38,8 @@ struct Watched {
     observe(laser.observe(map, truth), core, motion);
   }
 
-  void observe(const Observations& seen, const Pose2& core, const Pose2& motion = {}) {
-    const Eigen::Matrix3d covariance = Eigen::Vector3d(1e-3, 1e-3, 1e-3).asDiagonal();
+  void observe(const Observations& seen, const Pose2& core, const Pose2& motion = {},
+               const Eigen::Matrix3d& covariance = 1e-3 * Eigen::Matrix3d::Identity()) {
     recovery.ride(motion);
     recovery.observe(motion, believed * motion, {core, covariance, {{core, covariance, 1.0}}},
                      seen);
@@ -563,6 +563,34 @@ TEST(Recovery, OddsOfTrackingGrowWithTheWay) {
       EXPECT_EQ(left, 1U);
     }
     EXPECT_GT(watched.shareOf(truth), 0.5);
+  }
+}
+
+/// It drove without seeing anything, and its wheels spun: a core that knew how little it knew of
+/// the way is where it has the robot, one that jumps is not.
+TEST(Recovery, APlaceIsWhereTheCoresCloudShrinksToButNotWhereTheCoreJumps) {
+  for (const double deviation : {1.0, 0.1}) {  // m, along the hall
+    WatchedInTheHall watched;
+    Pose2 truth{5.2, 2.2, 0.0}, by_odometry = truth;
+    const Eigen::Matrix3d covariance =
+        Eigen::Vector3d(deviation * deviation, 1e-3, 1e-3).asDiagonal();
+    watched.tell(truth);
+    watched.see(truth, truth);
+    watched.laser.max_range = 0.1;
+    for (int i = 0; i < 5; ++i) {
+      const Pose2 motion{0.5, -0.01, 0.0};  // of the wheels
+      by_odometry = by_odometry * motion;
+      watched.observe(watched.laser.observe(watched.map, truth), by_odometry, motion, covariance);
+    }
+    watched.laser.max_range = 1.1;  // all that it sees is a wall beside it
+    watched.see(truth, truth);
+    const Estimate core{truth, 1e-3 * Eigen::Matrix3d::Identity(), {}};
+    const bool can_be_there = deviation > 0.5;
+    EXPECT_THAT(watched.recovery.published(by_odometry, core),
+                PoseNear(can_be_there ? truth : by_odometry, 1e-9, 1e-9));
+    watched.see(truth, truth);
+    EXPECT_EQ(watched.recovery.status(), can_be_there ? Status::kTracking : Status::kLost);
+    EXPECT_EQ(watched.shareOf(by_odometry), can_be_there ? 0.0 : 1.0);
   }
 }
 
