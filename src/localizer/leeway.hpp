@@ -9,9 +9,10 @@
 
 namespace adaptive_localization {
 
-/// How far off the known place can be: where the core has it, by odometry once the core is
-/// elsewhere, with what the core did not know of it. A robot that drives where little is to be seen
-/// can be anywhere in its core's cloud, and where the cloud shrinks to, there it is.
+/// How far off the known place can be: the core's estimate of it, or, once the core is elsewhere,
+/// the last one carried on by odometry, with the core's covariance. A robot that drives where
+/// little is to be seen can be anywhere in its core's cloud, and where the cloud shrinks to, there
+/// it is.
 class Leeway {
  public:
   void end() { belief_.reset(); }
@@ -20,12 +21,12 @@ class Leeway {
     if (belief_) belief_->mean = belief_->mean * motion;
   }
 
-  /// Takes note of the core's estimate, of a place that is known or may be one of several: then
-  /// what was not known of it before may be so still.
+  /// Takes note of the core's estimate, unless the core is elsewhere. As long as the place may be
+  /// one of several, the widest covariance so far counts.
   void note(const Estimate& estimate, bool is_known) {
-    const bool is_wider = !belief_ || estimate.covariance.trace() > belief_->covariance.trace();
     if (belief_ && !isAt(estimate.T_map_base)) return;
     moveTo(estimate.T_map_base);
+    const bool is_wider = estimate.covariance.trace() > belief_->covariance.trace();
     if (is_known || is_wider) belief_->covariance = estimate.covariance;
   }
 
