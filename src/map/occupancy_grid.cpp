@@ -102,7 +102,7 @@ OccupancyGrid OccupancyGrid::with(const std::vector<MapPatch>& patches) const {
 }
 
 int OccupancyGrid::occupiedAround(const Cell& cell) const {
-  constexpr int kReach = kSpeckleReach, kMany = 3;
+  constexpr int kReach = kSpeckleReach;
   int occupied = 0;
   for (int dy = -kReach; dy <= kReach; ++dy) {
     for (int dx = -kReach; dx <= kReach; ++dx) {

@@ -166,6 +166,26 @@ TEST(OccupancyGrid, BeamsDoNotEndAtSpeckleButAtPosts) {
   EXPECT_TRUE(speckled.endsBeams({50, 0})) << "a wall";
 }
 
+TEST(OccupancyGrid, BeamsDoNotEndAtPairsOfSpeckleButAtWhatIsLarger) {
+  const OccupancyGrid speckled = strewn(100, 1);
+  const auto with = [&](const std::vector<Cell>& things) {
+    std::vector<std::int8_t> cells = speckled.cells();
+    for (int y = 37; y < 53; ++y) {  // room for them
+      for (int x = 47; x < 63; ++x) cells[speckled.lattice().index({x, y})] = 0;
+    }
+    for (const Cell& thing : things) cells[speckled.lattice().index(thing)] = 100;
+    return OccupancyGrid(speckled.lattice(), cells);
+  };
+  const OccupancyGrid pair = with({{52, 44}, {54, 45}});
+  ASSERT_TRUE(pair.hasSpeckle());
+  EXPECT_FALSE(pair.endsBeams({52, 44}));
+  EXPECT_FALSE(pair.endsBeams({54, 45}));
+  const OccupancyGrid three = with({{52, 44}, {53, 44}, {53, 45}});
+  EXPECT_TRUE(three.endsBeams({52, 44}));
+  EXPECT_TRUE(three.endsBeams({53, 45}));
+  EXPECT_TRUE(speckled.endsBeams({0, 0})) << "the end of a wall";
+}
+
 TEST(OccupancyGrid, BeamsDoNotEndAtFreeCellsNorOutside) {
   const OccupancyGrid grid(Lattice(3, 1, 0.05, {}), {0, 100, 100});
   EXPECT_FALSE(grid.endsBeams({0, 0}));

@@ -113,7 +113,7 @@ TEST_F(ScoreFieldSums, CountTheSharesOfParticles) {
 /// On a long map with walls everywhere.
 TEST(ScoreFieldTiles, AreMadeWhereParticlesSeeThem) {
   Rng rng(4);
-  const auto map = randomGrid(rng, Lattice(6000, 70, 0.05, {-10.0, 3.0, 0.4}), 0.01);
+  const auto map = randomGrid(rng, Lattice(6000, 70, 0.05, {-10.0, 3.0, 0.4}), 0.05);
   const auto distances = std::make_shared<const DistanceField>(*map);
   const auto square = [](double d) { return -d * d; };
   const Lattice& lattice = map->lattice();

@@ -81,10 +81,10 @@ class OccupancyGrid {
   bool isOccupied(const Cell& cell) const { return at(cell) >= kLeastOccupied; }
   bool isFree(const Cell& cell) const { return at(cell) >= 0 && at(cell) < 20; }
 
-  /// Whether beams end at a cell: at occupied ones, but not at the isolated ones of a map with
-  /// speckle.
+  /// Whether beams end at a cell: at occupied ones, but on a map with speckle not at those that are
+  /// isolated or come in pairs, as fine cells that noise strews do by chance.
   bool endsBeams(const Cell& cell) const {
-    return isOccupied(cell) && !(has_speckle_ && occupiedAround(cell) == 1);
+    return isOccupied(cell) && !(has_speckle_ && occupiedAround(cell) < kMany);
   }
 
   /// Whether occupied cells are strewn over the map that stand for nothing: many are isolated, and
@@ -105,7 +105,9 @@ class OccupancyGrid {
   /// Takes what is known of a box, whose rows are numbered from 0 on.
   void store(const CellBox& box, const Rows& rows);
 
-  /// Occupied cells within two cells, itself too; 3 stands for more.
+  static constexpr int kMany = 3;
+
+  /// Occupied cells within two cells, itself too; kMany stands for more.
   int occupiedAround(const Cell& cell) const;
   bool looksSpeckled() const;
 
