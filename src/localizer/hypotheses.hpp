@@ -231,6 +231,9 @@ class Hypotheses {
   Gaussian2 correctedBySenses(const Hypothesis& hypothesis, const Observations& observations) const;
   void correctBySenses(const Observations& observations);
 
+  double mostLost(const PlaceRefiner& refiner, const Hypothesis& hypothesis, bool fits,
+                  double usual, const News& news) const;
+
   /// Of a scan, but for what other senses say. Log odds.
   double lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits, double usual,
                 const News& news) const;

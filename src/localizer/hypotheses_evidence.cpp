@@ -115,8 +115,20 @@ bool Hypotheses::keepsOne() const {
                      [](const Hypothesis& hypothesis) { return hypothesis.is_kept; });
 }
 
-/// What somebody moved came into view before, little by little: what came at once, and is where
-/// another place has it, speaks against a kept place as against any.
+/// What a scan may say against a place at most. What somebody moved came into view before, little
+/// by little: what came at once, and is where another place has it, speaks against a kept place as
+/// against any. One thing that fills a narrow view does not rule out even a place that was believed
+/// in lately.
+double Hypotheses::mostLost(const PlaceRefiner& refiner, const Hypothesis& hypothesis, bool fits,
+                            double usual, const News& news) const {
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  if (!hypothesis.is_kept) {
+    return hypothesis.was_believed && refiner.view() <= kMostOfView ? kMostByView : kAll;
+  }
+  if (fits && news.is_sudden) return kAll;
+  return mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+}
+
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
                           double usual, const News& news) const {
   double lost = loss(hypothesis.error, usual);
@@ -125,12 +137,9 @@ double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, b
     lost = std::min(lost, hypothesis.is_kept ? kMostOfKept : kMostWithoutFit);
   }
   hypothesis.is_explained = lost == 0.0;
-  if (!hypothesis.is_kept) return news.share * lost;
-  const double most = fits && news.is_sudden ? std::numeric_limits<double>::infinity()
-                                             : mostAgainst(refiner, hypothesis.T_map_base,
-                                                           hypothesis.word > 0.0, usual);
+  const double most = mostLost(refiner, hypothesis, fits, usual, news);
   hypothesis.is_spared = lost > most;
-  hypothesis.is_refuted = std::isinf(most) || is_outdone;
+  hypothesis.is_refuted = hypothesis.is_kept && (std::isinf(most) || is_outdone);
   if (std::isinf(most)) return news.share * lost;
   return std::min(news.share * lost, news.sight * most);
 }

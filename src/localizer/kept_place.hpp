@@ -9,6 +9,10 @@ namespace adaptive_localization {
 /// So much of a view one thing that the map does not have may hide, rad: all that a camera sees.
 constexpr double kMostOfView = kPi / 2.0;
 
+/// What a scan of such a view may say at most against a place that was believed in, log odds by
+/// what comes into sight in a metre.
+constexpr double kMostByView = 3.0;
+
 /// Beams that do not fit rather end before what the map has than go on where it has a wall.
 bool isHidden(const RangeError::Fit& fit);
 

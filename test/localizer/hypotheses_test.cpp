@@ -662,6 +662,26 @@ TEST(Hypotheses, AKeptPlaceWhereSomethingWasMovedLosesLittleByLittle) {
   EXPECT_FALSE(other.knows(kBeforeTheCupboard));
 }
 
+/// One thing may be all that a camera sees.
+TEST(Hypotheses, APlaceThatWasFoundLatelyIsNotLostToOneViewOfACamera) {
+  const TrackingOdds lately;
+  ASSERT_FALSE(lately.isKept());
+  const auto stays = [&](double half, bool was_believed) {
+    const auto seen = ToyLaser{91, -half, half, 12.0}.observe(symmetricWorld(), kBeforeTheCupboard);
+    Hypotheses hypotheses(roomWithCupboard());
+    was_believed ? hypotheses.addKept(kBeforeTheCupboard, lately)
+                 : hypotheses.add(kBeforeTheCupboard, lately.value());
+    hypotheses.add(kTwin, 0.0);
+    hypotheses.weigh(seen, News{}, kUsual);
+    hypotheses.prune();
+    EXPECT_TRUE(hypotheses.knows(kTwin));
+    return hypotheses.knows(kBeforeTheCupboard);
+  };
+  EXPECT_TRUE(stays(0.5, true));
+  EXPECT_FALSE(stays(0.5, false));
+  EXPECT_FALSE(stays(0.8, true)) << "another laser";
+}
+
 TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutAtOnce) {
   Hypotheses hypotheses(asymmetricWorld());
   hypotheses.addKept(kWrong, tracked(3.0));
