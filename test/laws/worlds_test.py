@@ -47,6 +47,31 @@ class WorldsTest(unittest.TestCase):
         self.assertIn("| `mcl` | 1 | 0 | 1 | 0 of 2 |", done.stdout)
         self.assertIn("  29 aisles urg clutter=0.029 moved, seed 1: mcl ", done.stdout)
 
+    def test_maps_are_buildings_to_drive_in(self):
+        maps = SCRIPT.parent.parent / "maps"
+        done = self.worlds("--maps", maps / "maze/map.yaml", maps / "complex/map.yaml", "--worlds", "0:2", "--cores",
+                           "sa_kld", "--seeds", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("| `sa_kld` | 4 | 0 | 0 |  | 0.0 |", done.stdout)
+        runs = [json.loads(line) for line in (self.folder / "maps_0_2_told.jsonl").read_text().splitlines()]
+        self.assertEqual({tuple(run["case"].split()[:2]) for run in runs},
+                         {("0", "maze"), ("0", "complex"), ("1", "maze"), ("1", "complex")})
+        for run in runs:
+            self.assertGreater(run["scans"], 400)
+
+        def cells(folder, name):
+            return (self.folder / folder / f"{name}.pgm").read_bytes().split(b"255\n", 1)[1]
+        self.assertEqual(cells("complex_0", "building"), cells("complex_1", "building"))
+        brought = [sum(a != b for a, b in zip(cells(folder, "building"), cells(folder, "world")))
+                   for folder in ("complex_0", "complex_1", "maze_0", "maze_1")]
+        self.assertGreater(max(brought), 0, "furniture")
+
+    def test_maps_of_one_name_are_refused(self):
+        maze = SCRIPT.parent.parent / "maps/maze/map.yaml"
+        done = self.worlds("--maps", maze, maze)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--maps: got maze, maze, expected files, or folders of map.yaml, of different names", done.stderr)
+
     def test_a_range_that_is_none_is_refused(self):
         done = self.worlds("--worlds", "7")
         self.assertNotEqual(done.returncode, 0)
