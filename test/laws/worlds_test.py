@@ -16,6 +16,8 @@ import sys
 import tempfile
 import unittest
 
+import yaml
+
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "worlds"
 PROGRAMS = pathlib.Path(sys.argv.pop())
 
@@ -65,6 +67,14 @@ class WorldsTest(unittest.TestCase):
         self.assertEqual(cells("complex_0", "building"), cells("complex_1", "building"))
         self.assertEqual(cells("complex_0", "building"), cells("complex_0", "world"))
         self.assertNotEqual(cells("complex_2", "building"), cells("complex_2", "world"), "furniture")
+
+    def test_in_a_small_building_robots_are_carried_less_far(self):
+        maze = SCRIPT.parent.parent / "maps/maze/map.yaml"
+        done = self.worlds("--maps", maze, "--worlds", "0:1", "--cores", "sa_kld", "--seeds", "1", "--start", "kidnap")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\| `sa_kld` \| 1 \|.*\| \d of 2 \|")
+        experiment = yaml.safe_load((self.folder / "maps_0_1_kidnap.yaml").read_text())
+        self.assertAlmostEqual(experiment["cases"][0]["events"][0]["to"]["farther_than"], 1.8, delta=0.3)
 
     def test_maps_of_one_name_are_refused(self):
         maze = SCRIPT.parent.parent / "maps/maze/map.yaml"
