@@ -9,7 +9,7 @@ import sys
 
 import rospy
 import rostest
-from localization_case import LocalizationCase
+from localization_case import LocalizationCase, stamp_of
 from sensor_msgs.msg import LaserScan, Range
 
 
@@ -61,8 +61,12 @@ class Sonar(LocalizationCase):
 
     def test_2_they_keep_the_robot_while_the_laser_is_covered(self):
         self.look = self.covered
+        begin = rospy.get_time() + 1
         self.check_that_it_is_known(30)
-        self.assertEqual(self.status(), "tracking")
+        said = [status.message for status in self.statuses if stamp_of(status) >= begin]
+        self.assertGreater(len(said), 200)
+        # one update in fifty hears little but wrong echoes, and says "lost"
+        self.assertGreater(said.count("tracking") / len(said), 0.9)
 
     def test_3_they_keep_the_robot_while_the_laser_is_silent(self):
         self.look = lambda scan: None
