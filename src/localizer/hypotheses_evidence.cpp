@@ -118,15 +118,18 @@ bool Hypotheses::keepsOne() const {
 /// What a scan may say against a place at most. What somebody moved came into view before, little
 /// by little: what came at once, and is where another place has it, speaks against a kept place as
 /// against any. One thing that fills a narrow view does not rule out even a place that was believed
-/// in lately.
+/// in lately. Where scans have fitted, and each since then has shown what the one before did,
+/// nobody carried the robot: the map is rather wrong there.
 double Hypotheses::mostLost(const PlaceRefiner& refiner, const Hypothesis& hypothesis, bool fits,
                             double usual, const News& news) const {
   constexpr double kAll = std::numeric_limits<double>::infinity();
   if (!hypothesis.is_kept) {
-    return hypothesis.was_believed && refiner.view() <= kMostOfView ? kMostByView : kAll;
+    return hypothesis.was_believed && refiner.view() <= kMostOfView ? kMostPerMetre : kAll;
   }
   if (fits && news.is_sudden) return kAll;
-  return mostAgainst(refiner, hypothesis.T_map_base, hypothesis.word > 0.0, usual);
+  const bool is_word = hypothesis.word > 0.0;
+  const double most = mostAgainst(refiner, hypothesis.T_map_base, is_word, usual);
+  return news.goes_on && !is_word ? std::min(most, kMostPerMetre) : most;
 }
 
 double Hypotheses::lostBy(const PlaceRefiner& refiner, Hypothesis& hypothesis, bool fits,
@@ -176,8 +179,8 @@ void Hypotheses::weigh(const Observations& observations, const News& news, doubl
     const bool is_found = hypothesis.is_new && !hypothesis.was_believed;
     const double worth = is_found ? 1.0 : hypothesis.share;
     if (is_seen) {
-      const double lost =
-          trust * lostBy(refiner, hypothesis, fits, usual, {worth, news.sight, news.is_sudden});
+      const double lost = trust * lostBy(refiner, hypothesis, fits, usual,
+                                         {worth, news.sight, news.is_sudden, news.goes_on});
       hypothesis.log_odds -= lost;
       hypothesis.refuted += hypothesis.is_refuted ? lost : 0.0;
     }

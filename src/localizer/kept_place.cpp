@@ -29,7 +29,7 @@ double mostAgainst(const PlaceRefiner& refiner, const Pose2& T_map_base, bool is
   const bool fits_by_ranges = fit.off_share < (is_hidden ? most_hidden : kMostOff);
   const double on = refiner.hitShare(T_map_base, UsualError(usual_error).limit());
   if (!fits_by_ranges && on <= kMostHits) {
-    return refiner.view() > kMostOfView ? std::numeric_limits<double>::infinity() : kMostByView;
+    return refiner.view() > kMostOfView ? std::numeric_limits<double>::infinity() : kMostPerMetre;
   }
   const double nearly_all = fits_by_ranges ? kMostOfRest * (1.0 - fit.short_share) : kNearlyAll;
   const double stray = 1.0 / std::max(1, refiner.hits());

@@ -9,9 +9,9 @@ namespace adaptive_localization {
 /// So much of a view one thing that the map does not have may hide, rad: all that a camera sees.
 constexpr double kMostOfView = kPi / 2.0;
 
-/// What a scan of such a view may say at most against a place that was believed in, log odds by
-/// what comes into sight in a metre.
-constexpr double kMostByView = 3.0;
+/// What scans of such a view may say at most against a place that was believed in, and those of any
+/// laser where each shows what the one before did; log odds by what comes into sight in a metre.
+constexpr double kMostPerMetre = 3.0;
 
 /// Beams that do not fit rather end before what the map has than go on where it has a wall.
 bool isHidden(const RangeError::Fit& fit);

@@ -13,6 +13,7 @@ struct News {
   double share{1.0};      // errors of its ranges are others than they were, after a step or a turn
   double sight{1.0};      // it shows other things: what a turn brings into view, or a metre does
   bool is_sudden{false};  // much of that came into view at once, from one scan to the next
+  bool goes_on{false};    // each scan since some that fitted has shown what the one before did
 };
 
 /// Tells from the way since the last scan that counted how much of the next is new.

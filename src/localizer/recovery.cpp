@@ -108,6 +108,7 @@ void Recovery::observe(const Pose2& motion, const Pose2& T_map_base_expected,
   const bool fits_on = !is_nowhere && error <= kWorse * std::max(error_, usual_.value());
   if (watch_.tellCarrying() && !fits_on) beCarried(T_map_base_expected);
   const bool is_sudden = isSudden(T_map_base, observations.scan, error);
+  if (is_sudden) watch_.breakOff();
   if (is_sudden && is_settled_) proof_.suspect();
   has_left_leader_ = is_sudden && !is_settled_;
   error_ = error;

@@ -55,7 +55,7 @@ void Recovery::openDoubted(const Observations& observations) {
   hypotheses_.addAligned(asked->places, 0.0);
   const double share = doubt_.shareOfMisfits();
   hypotheses_.weigh(withoutCover(T_map_then, asked->observations),
-                    {share, share, watch_.hasComeNear()}, usual_.value());
+                    {share, share, watch_.hasComeNear(), watch_.goesOn()}, usual_.value());
   hypotheses_.prune(against());
   pace_.explain(hypotheses_.leastError());
   hypotheses_.ride(asked->motion);
@@ -109,6 +109,7 @@ void Recovery::race(const Pose2& T_map_base, double error, const Observations& o
   if (!(has_places && hypotheses_.isByWord()) && pace_.isDue(has_places)) search(observations);
   News news = novelty_.news(observations.scan.view.width);
   news.is_sudden = watch_.hasComeNear();
+  news.goes_on = watch_.goesOn();
   hypotheses_.weigh(observations, news, usual_.value());
   race_.alike = std::max(race_.alike, hypotheses_.alike(T_map_base));
   hypotheses_.prune(against());

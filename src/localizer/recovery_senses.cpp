@@ -52,13 +52,14 @@ double Recovery::shareOfWallsMissed(const Pose2& T_map_base, const Scan& scan) c
 }
 
 /// Scans contradict the place, one after another: the laser sends garbage, or the place is another
-/// one. If a camera's beams rather end before the map's walls than go on through them, something
-/// that the map does not have may fill its view. If its scans fitted for some way, and each since
-/// then has shown what the one before did, nobody carried the robot: the map is wrong there.
+/// one. If scans fitted for some way, and each since then has shown what the one before did, nobody
+/// carried the robot: the map is wrong there. If a camera's beams rather end before the map's walls
+/// than go on through them, something that the map does not have may fill its view.
 bool Recovery::isGarbled(const Pose2& T_map_base, const Scan& scan) const {
   if (confidence_.contradictions() < kContradictions) return false;
-  if (scan.hits() == 0 || scan.view.width > kMostOfView) return true;
+  if (scan.hits() == 0) return true;
   if (watch_.goesOn()) return false;
+  if (scan.view.width > kMostOfView) return true;
   const RangeError::Fit fit = range_error_.at(T_map_base, scan);
   return fit.throughShare() > fit.short_share;
 }

@@ -32,7 +32,10 @@ class ScanWatch {
   bool isJustCovered() const { return is_covered_ && !was_covered_; }
 
   /// A scan fits the core's place, so far on from the last update.
-  void fit(const Pose2& motion) { way_on_ += wayOf(motion); }
+  void fit(const Pose2& motion);
+
+  /// The scan may be of another place than the one before.
+  void breakOff();
 
   /// Scans have fitted on enough of the way, and each since then has shown what the one before did:
   /// nobody carried the robot.
@@ -45,7 +48,8 @@ class ScanWatch {
   bool is_at_rest_{false};
   bool is_carried_{false};
   bool came_near_{false};
-  double way_on_{0.0};  // m or rad, of fitting scans that each show what the one before did
+  bool is_changed_{true};  // since the last scan that fits, or none was seen
+  double way_on_{0.0};     // m or rad, of fitting scans that each show what the one before did
 };
 
 }  // namespace adaptive_localization

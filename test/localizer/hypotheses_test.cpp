@@ -691,6 +691,23 @@ TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutAtOnce) {
   EXPECT_FALSE(hypotheses.knows(kWrong));
 }
 
+/// Nobody carries a robot without a scan that shows it; what somebody told was never seen.
+TEST(Hypotheses, AKeptPlaceThatNothingFitsIsRuledOutByMetresWhereScansGoOn) {
+  const auto stays = [](const TrackingOdds& odds, int scans) {
+    News news;
+    news.goes_on = true;
+    Hypotheses hypotheses(asymmetricWorld());
+    hypotheses.addKept(kWrong, odds);
+    hypotheses.add(kTruth, 0.0);
+    for (int i = 0; i < scans; ++i) hypotheses.weigh(seenAt(kTruth), news, kUsual);
+    hypotheses.prune();
+    return hypotheses.knows(kWrong);
+  };
+  EXPECT_TRUE(stays(tracked(3.0), 3));
+  EXPECT_FALSE(stays(tracked(3.0), 15));
+  EXPECT_FALSE(stays(TrackingOdds(true), 1)) << "told";
+}
+
 /// It is far likelier than any other place, and one of its own; from a place that was not known,
 /// what is a slip away is not looked for.
 TEST(Hypotheses, AKeptPlaceThatDoesNotFitIsLookedForASlipOfTheWheelsAway) {

@@ -95,8 +95,21 @@ TEST(ScanWatch, GoesOnAfterHalfAMetreOfScansThatFitAndDoNotChange) {
   drive(0.4);
   drive(0.5);
   EXPECT_TRUE(watch.goesOn());
+  watch.observe({0.5, 0.0, 0.0}, withThingBefore(seenFrom(kHere * Pose2{0.5, 0.0, 0.0}), 54));
+  EXPECT_TRUE(watch.goesOn()) << "what three beams of ten see may be a thing, or behind a corner";
+  ScanWatch broken = watch;
+  broken.breakOff();
+  EXPECT_FALSE(broken.goesOn()) << "whatever the scans show";
   watch.observe({0.5, 0.0, 0.0}, seenFrom(kThere));
   EXPECT_FALSE(watch.goesOn()) << "another place";
+  watch.fit({0.6, 0.0, 0.0});
+  EXPECT_FALSE(watch.goesOn()) << "the way there was not seen";
+}
+
+TEST(ScanWatch, DoesNotGoOnWhereNoScanWasLookedAt) {
+  ScanWatch watch;
+  for (int i = 0; i < 9; ++i) watch.fit({0.1, 0.0, 0.0});
+  EXPECT_FALSE(watch.goesOn());
 }
 
 }  // namespace
