@@ -24,6 +24,8 @@ void ScanWatch::breakOff() {
   is_changed_ = true;
 }
 
+/// On the way to a scan after a change the robot may have been carried, and so it may where no scan
+/// was observed at all.
 void ScanWatch::fit(const Pose2& motion) {
   way_on_ += is_changed_ ? 0.0 : wayOf(motion);
   is_changed_ = !T_odom_base_;

@@ -34,7 +34,7 @@ class ScanWatch {
   /// A scan fits the core's place, so far on from the last update.
   void fit(const Pose2& motion);
 
-  /// The scan may be of another place than the one before.
+  /// The last scan may be of another place than the one before, by what is known besides.
   void breakOff();
 
   /// Scans have fitted on enough of the way, and each since then has shown what the one before did:
@@ -48,7 +48,7 @@ class ScanWatch {
   bool is_at_rest_{false};
   bool is_carried_{false};
   bool came_near_{false};
-  bool is_changed_{true};  // since the last scan that fits, or none was seen
+  bool is_changed_{true};  // since the last scan that fits, or none was observed
   double way_on_{0.0};     // m or rad, of fitting scans that each show what the one before did
 };
 
